@@ -31,6 +31,7 @@ struct Commands {
     PointsCommand points_command;
     CheckSamplerCommand check_sampler_command;
     HeatCommand heat_command;
+    ConvertCommand convert_command;
     ListCommand list_command;
 };
 
@@ -43,6 +44,7 @@ std::vector<Completions::Word> words_of_type(std::string_view type) {
 void add_commands(ProgramDefinition& program, Commands& all) {
     add_form_factors(program, all.form_factors_command);
     add_heat(program, all.heat_command);
+    add_convert(program, all.convert_command);
     add_run(program, all.run_command);
     add_report(program, all.report_command);
     add_figure(program, all.figure_command);

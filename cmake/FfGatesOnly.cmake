@@ -1,5 +1,5 @@
 # -DFFSTUDY_GATES_ONLY=ON: the smaller program. It judges what other programs report, and is built of the rooms that
-# app/gates_main.cpp includes: no Embree, Eigen, Highway, SQLite, tinyobjloader or Node.js.
+# app/gates_main.cpp includes: no Embree, Eigen, Highway, SQLite, assimp or Node.js.
 
 include(IncludedSources)
 ff_included_sources(app/gates_main.cpp sources)

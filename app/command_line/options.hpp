@@ -57,10 +57,10 @@ struct EnclosureCommand {
 
 /// Options of `ffstudy form_factors`.
 struct FormFactorsCommand {
-    std::string scene;                       ///< built-in name, or a file; empty: load a matrix
-    std::filesystem::path load;              ///< folder or store of an earlier run; empty: none
-    std::string faces = "group";             ///< or "polygon", "material": what makes a face of an OBJ file or a mesh
-    bool closed = false;                     ///< treat an OBJ file or a mesh as closed
+    std::string scene;           ///< built-in name, or a file; empty: load a matrix
+    std::filesystem::path load;  ///< folder or store of an earlier run; empty: none
+    std::string faces;    ///< what a face of an OBJ file or a mesh is: "group", "object", "material" or "polygon"
+    bool closed = false;  ///< treat an OBJ file or a mesh as closed
     studies::form_factors::Request request;  ///< except seed, threads and the meaning of level
     std::uint64_t seed = 1;
     std::optional<unsigned> threads;
@@ -70,8 +70,17 @@ struct FormFactorsCommand {
     bool dry_run = false;
     bool whole_matrix = false;
     std::filesystem::path out;         ///< empty: nothing is written
+    std::string from;                  ///< points, "point:x,y,z,nx,ny,nz" or a file, to whose factors all is reduced
+    bool text = false;                 ///< also text files of a large matrix
     std::vector<std::string> formats;  ///< formats of other programs, for files in `out`
     bool quiet = false;
+};
+
+/// Options of `ffstudy convert`.
+struct ConvertCommand {
+    FormFactorsCommand scene;  ///< the scene and how it is read
+    std::filesystem::path out;
+    std::optional<std::size_t> facets;  ///< polygons around a curved surface; empty: it stays as it is
 };
 
 /// Options of `ffstudy heat`.

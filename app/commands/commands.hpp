@@ -16,6 +16,9 @@ ExitCode enclosure(const EnclosureCommand& command);
 /// All form factors between the faces of a scene, with intervals; inconclusive where one misses the tolerance.
 ExitCode form_factors(const FormFactorsCommand& command);
 
+/// Writes a scene in another format.
+ExitCode convert(const ConvertCommand& command);
+
 /// Flows of heat or light between the faces of a scene; inconclusive where one is not within the tolerance.
 ExitCode heat(const HeatCommand& command);
 

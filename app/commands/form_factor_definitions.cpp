@@ -16,11 +16,17 @@ void of_a_run(OptionDefinition& option) {
     option.rules.excludes.emplace_back("--load");
 }
 
-/// What an OBJ file or a mesh does not say itself.
-void add_options_of_meshes(CommandDefinition& sub, FormFactorsCommand& command) {
-    of_a_run(sub.option("--faces", command.faces, "What a face of an OBJ file or a mesh is: group, polygon or material",
-                        {.type = "FACES", .choices = {"group", "polygon", "material"}, .shows_default = true}));
-    of_a_run(sub.option("--closed", command.closed, "An OBJ file or a mesh is closed: every ray hits something"));
+/// What an OBJ file or a mesh does not say itself. @param may_load  the command takes a loaded matrix as well
+void add_options_of_meshes(CommandDefinition& sub, FormFactorsCommand& command, bool may_load) {
+    OptionDefinition& faces =
+        sub.option("--faces", command.faces,
+                   "What a face of an OBJ file or a mesh is: group, object, material or polygon (default: what tells "
+                   "its polygons apart)",
+                   {.type = "FACES", .choices = {studies::obj_faces.begin(), studies::obj_faces.end()}});
+    if (may_load) of_a_run(faces);
+    OptionDefinition& closed =
+        sub.option("--closed", command.closed, "An OBJ file or a mesh is closed: every ray hits something");
+    if (may_load) of_a_run(closed);
 }
 
 }  // namespace
@@ -33,12 +39,20 @@ void add_form_factors(ProgramDefinition& program, FormFactorsCommand& command) {
     of_a_run(sub.option(
         "SCENE", command.scene,
         fmt::format("cube, box:AxBxC, another built-in scene, or a file ({})", studies::scene_extensions_in_words())));
-    add_options_of_meshes(sub, command);
+    add_options_of_meshes(sub, command, true);
+    sub.option("--from", command.from,
+               "Only factors from points: point:x,y,z,nx,ny,nz, or a CSV file with these columns",
+               {.type = "POINTS",
+                .excludes = {"--load", "--tolerance", "--relative", "--drop", "--surroundings", "--level",
+                             "--simultaneous", "--seed", "--max-time", "--max-memory", "--max-samples", "--shard",
+                             "--dry-run", "--repair", "--randomisations", "--text", "--format"}});
     of_a_run(
         sub.option("--tolerance", request.tolerance, "Largest half width of an interval", {.shows_default = true}));
     of_a_run(
         sub.option("--relative", request.relative, "Or this share of the factor, where that is more: 0.01 for 1 %"));
     of_a_run(sub.option("--drop", request.drop, "Keep only sums of pairs with factors below this"));
+    of_a_run(sub.option("--surroundings", request.surroundings,
+                        "Name of one face more, which receives what leaves an open scene", {.type = "NAME"}));
     of_a_run(sub.option("--level", request.level, "Level of the intervals", {.shows_default = true}));
     of_a_run(
         sub.option("--simultaneous", command.whole_matrix, "The level is that of all entries and row sums at once"));
@@ -55,11 +69,28 @@ void add_form_factors(ProgramDefinition& program, FormFactorsCommand& command) {
     sub.option("--repair", request.repair, "Also the nearest matrix that is closed and reciprocal",
                {.excludes = {"--drop"}});
     sub.option("--out", command.out, "Folder for the matrices (default: none is written)", {.type = "DIR"});
+    of_a_run(sub.option("--randomisations", request.randomisations,
+                        "Also the 16 values behind each sampled entry, in randomisations.npz", {.needs = {"--out"}}));
+    sub.option("--text", command.text, "matrix.csv and MatrixMarket files also of more than 4096 faces",
+               {.needs = {"--out"}});
     sub.option("--format", command.formats,
                fmt::format("Also files for other programs: {}", reports::program_formats_in_words()),
                {.type = "PROGRAMS", .delimiter = ',', .needs = {"--out"}, .excludes = {"--drop"}});
     add_verbosity(sub, command.quiet, "Print errors and warnings only");
     sub.action = [&] { return form_factors(command); };
+}
+
+void add_convert(ProgramDefinition& program, ConvertCommand& command) {
+    CommandDefinition& sub = program.command(everyday, "convert", "Write a scene in another format");
+    sub.option("SCENE", command.scene.scene,
+               fmt::format("A built-in scene, or a file ({})", studies::scene_extensions_in_words()),
+               {.is_required = true});
+    sub.option("OUT", command.out, "File to write: .obj, .vs3 or .toml", {.type = "FILE", .is_required = true});
+    add_options_of_meshes(sub, command.scene, false);
+    sub.option("--facets", command.facets,
+               "Polygons around a full turn of a curved surface (default: it stays curved)");
+    add_verbosity(sub, command.scene.quiet, "Print warnings and errors only");
+    sub.action = [&] { return convert(command); };
 }
 
 void add_heat(ProgramDefinition& program, HeatCommand& command) {
@@ -71,7 +102,7 @@ void add_heat(ProgramDefinition& program, HeatCommand& command) {
                {.type = "DIR"});
     of_a_run(sub.option("SCENE", factors.scene,
                         fmt::format("A built-in scene, or a file ({})", studies::scene_extensions_in_words())));
-    add_options_of_meshes(sub, factors);
+    add_options_of_meshes(sub, factors, true);
     sub.option("--materials", command.materials, "Materials file (.toml): emissivities and temperatures or fluxes",
                {.type = "FILE", .is_required = true});
     sub.option("--scale", command.scale, "Metres of a unit of length of the scene", {.shows_default = true});

@@ -2,6 +2,7 @@
 #include "app/commands/form_factors/form_factor_prediction.hpp"
 #include "app/commands/form_factors/form_factor_rows.hpp"
 #include "app/commands/form_factors/form_factor_run.hpp"
+#include "app/commands/form_factors/sensor_factors.hpp"
 
 #include "app/command_line/common_options.hpp"
 #include "app/commands/context/run_context.hpp"
@@ -28,6 +29,7 @@
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/form_factor_warnings.hpp"
+#include "studies/form_factors/added_faces.hpp"
 #include "studies/form_factors/repair.hpp"
 #include "studies/form_factors/store/store.hpp"
 #include "studies/heat/materials.hpp"
@@ -49,15 +51,16 @@ namespace {
 
 constexpr const char* matrix_store_file = "form_factors.sqlite";
 const std::vector<std::string> matrix_files{
-    matrix_store_file, "matrix.csv",      "form_factors.mtx", "form_factors.npy",  "form_factors.npz",
-    "half_widths.mtx", "half_widths.npy", "half_widths.npz",  "areas.mtx",         "areas.npy",
-    "repaired.mtx",    "repaired.npy",    "repaired.npz",     "form_factors.json", "intervals.csv",
-    "context.json",    "report.html",     rows_file};
+    matrix_store_file,  "matrix.csv",         "form_factors.mtx", "form_factors.npy",
+    "form_factors.npz", "half_widths.mtx",    "half_widths.npy",  "half_widths.npz",
+    "areas.mtx",        "areas.npy",          "repaired.mtx",     "repaired.npy",
+    "repaired.npz",     "form_factors.json",  "intervals.csv",    "context.json",
+    "report.html",      "randomisations.npz", rows_file};
 
 studies::SceneSource read_source(const FormFactorsCommand& command) {
     const std::string& name = command.scene;
     if (name.empty()) throw UserError("SCENE is missing. See 'ffstudy form_factors --help'.");
-    const bool is_changed = command.faces != "group" || command.closed;
+    const bool is_changed = !command.faces.empty() || command.closed;
     if (is_changed && !studies::is_read_as_obj(name))
         throw UserError(
             fmt::format("{}: '{}' is neither an OBJ file nor a mesh (others say it themselves). Leave it "
@@ -71,8 +74,7 @@ studies::SceneSource read_source(const FormFactorsCommand& command) {
                                     studies::scene_extensions_in_words()));
     }
     std::string text = studies::read_scene_file(source.name);
-    if (command.faces == "polygon") text = studies::with_obj_comment(text, studies::faces_of_polygons);
-    if (command.faces == "material") text = studies::with_obj_comment(text, studies::faces_of_materials);
+    if (!command.faces.empty()) text = studies::with_obj_comment(text, "faces " + command.faces);
     if (command.closed) text = studies::with_obj_comment(text, studies::closed_scene);
     source.text = std::move(text);
     return source;
@@ -87,19 +89,45 @@ Scene scene_without_mirrors(const studies::SceneSource& source) {
         scene.name));
 }
 
-void write_matrix(OutputFolder& folder, const std::string& file, const Eigen::MatrixXd& matrix,
-                  const std::string& comment) {
-    folder.write(file + ".mtx", [&](std::ostream& out) { reports::write_sparse_matrix_market(out, matrix, comment); });
-    folder.write(file + ".npy", [&](std::ostream& out) { reports::write_npy(out, matrix); });
-}
+/// Files for a matrix, whose sizes decide which are written.
+class MatrixFiles {
+  public:
+    MatrixFiles(OutputFolder& folder, const studies::form_factors::KeptMatrix& kept, bool text)
+        : folder_(folder),
+          scene_(kept.scene.name),
+          is_small_(kept.matrix.faces() <= studies::form_factors::most_dense_faces),
+          has_text_(text || is_small_) {}
 
-/// Writes a sparse matrix. Files that store zeros as well are left out where there are very many faces.
-void write_matrix(OutputFolder& folder, const std::string& file, const studies::form_factors::Matrix::Sparse& matrix,
-                  const std::string& comment) {
-    folder.write(file + ".npz", [&](std::ostream& out) { reports::write_sparse_npz(out, matrix); });
-    if (matrix.rows() <= static_cast<Eigen::Index>(studies::form_factors::most_dense_faces))
-        write_matrix(folder, file, Eigen::MatrixXd(matrix), comment);
-}
+    [[nodiscard]] bool has_text() const { return has_text_; }
+
+    void write(const std::string& file, const studies::form_factors::Matrix::Sparse& matrix) const {
+        folder_.write(file + ".npz", [&](std::ostream& out) { reports::write_sparse_npz(out, matrix); });
+        if (has_text_) write_text(file, matrix);
+        if (is_small_) write_npy(file, Eigen::MatrixXd(matrix));
+    }
+
+    void write_areas(const std::vector<double>& areas) const {
+        const Eigen::MatrixXd column =
+            Eigen::Map<const Eigen::VectorXd>(areas.data(), static_cast<Eigen::Index>(areas.size()));
+        write_text("areas", column.sparseView());
+        write_npy("areas", column);
+    }
+
+  private:
+    OutputFolder& folder_;
+    const std::string& scene_;
+    bool is_small_;
+    bool has_text_;
+
+    void write_text(const std::string& file, const Eigen::SparseMatrix<double>& matrix) const {
+        folder_.write(file + ".mtx",
+                      [&](std::ostream& out) { reports::write_sparse_matrix_market(out, matrix, scene_); });
+    }
+
+    void write_npy(const std::string& file, const Eigen::MatrixXd& matrix) const {
+        folder_.write(file + ".npy", [&](std::ostream& out) { reports::write_npy(out, matrix); });
+    }
+};
 
 /// Writes files for other programs, and the intervals of the values in them.
 void hand_on_files(OutputFolder& folder, const studies::form_factors::KeptMatrix& kept,
@@ -109,26 +137,26 @@ void hand_on_files(OutputFolder& folder, const studies::form_factors::KeptMatrix
     std::vector<std::optional<double>> emissivities;
     for (std::size_t face = 0; face < said.size(); ++face)
         emissivities.push_back(studies::heat::said_emissivity(said, face));
+    if (!emissivities.empty()) emissivities.resize(kept.scene.faces.size());  // that of the surroundings is not said
     const auto handed = reports::hand_on(kept.scene, kept.matrix, std::move(emissivities));
     for (const reports::ProgramFile& file : reports::files_of_formats(formats, kept.scene))
         folder.write(std::string(file.name), [&](std::ostream& out) { file.write(out, handed); });
     folder.write("intervals.csv", [&](std::ostream& out) { reports::write_intervals(out, handed); });
 }
 
-void write_matrix_files(OutputFolder& folder, const studies::form_factors::KeptMatrix& kept) {
+void write_matrix_files(OutputFolder& folder, const studies::form_factors::KeptMatrix& kept, bool text) {
     folder.replace(matrix_store_file, [&](const auto& file) { studies::form_factors::save_matrix(file, kept); });
     const reports::FormFactorReport report{kept.scene, kept.request, kept.matrix};
     const auto& [scene, request, matrix] = report;
-    if (matrix.faces() <= studies::form_factors::most_dense_faces)
+    const MatrixFiles files(folder, kept, text);
+    if (files.has_text())
         folder.write("matrix.csv", [&](std::ostream& out) { reports::write_form_factors_csv(out, report); });
-    write_matrix(folder, "form_factors", matrix.factors(), scene.name);
-    write_matrix(folder, "half_widths", matrix.half_widths(), scene.name);
-    write_matrix(folder, "areas",
-                 Eigen::Map<const Eigen::VectorXd>(matrix.areas.data(), static_cast<Eigen::Index>(matrix.areas.size())),
-                 scene.name);
-    if (matrix.repaired && matrix.repaired->possible)
-        write_matrix(folder, "repaired", studies::form_factors::Matrix::Sparse(matrix.repaired->factors.sparseView()),
-                     scene.name);
+    files.write("form_factors", matrix.factors());
+    files.write("half_widths", matrix.half_widths());
+    files.write_areas(matrix.areas);
+    if (matrix.repaired && matrix.repaired->possible) files.write("repaired", matrix.repaired->factors);
+    if (!matrix.randomisations.empty())
+        folder.write("randomisations.npz", [&](std::ostream& out) { reports::write_randomisations(out, matrix); });
     folder.write("form_factors.json", reports::form_factors_json(report));
     folder.write("context.json", reports::context_json(kept.context));
     folder.write("report.html", reports::scene_html(report, kept.warnings, nullptr,
@@ -147,10 +175,12 @@ studies::form_factors::Request request_of(const FormFactorsCommand& command) {
 std::string in_words(const FormFactorsCommand& command) {
     return fmt::format(
         "ffstudy form_factors {}{} --tolerance {}{} --level {}{} --seed {}{}", command.scene,
-        (command.faces == "group" ? "" : " --faces " + command.faces) + (command.closed ? " --closed" : ""),
+        (command.faces.empty() ? "" : " --faces " + command.faces) + (command.closed ? " --closed" : ""),
         command.request.tolerance,
         (command.request.relative > 0 ? fmt::format(" --relative {}", command.request.relative) : "") +
-            (command.request.drop > 0 ? fmt::format(" --drop {}", command.request.drop) : ""),
+            (command.request.drop > 0 ? fmt::format(" --drop {}", command.request.drop) : "") +
+            (command.request.surroundings.empty() ? ""
+                                                  : fmt::format(" --surroundings {}", command.request.surroundings)),
         command.request.level, command.whole_matrix ? " --simultaneous" : "", command.seed,
         command.request.repair ? " --repair" : "");
 }
@@ -163,7 +193,7 @@ void show(studies::form_factors::KeptMatrix& kept, const FormFactorsCommand& com
     // Before anything can fail that would lose it.
     if (!command.quiet) fmt::print("{}", reports::form_factors_text(report, style_of_stdout()));
     if (out == nullptr) return;
-    write_matrix_files(*out, kept);
+    write_matrix_files(*out, kept, command.text);
     hand_on_files(*out, kept, command.formats);
 }
 
@@ -210,7 +240,7 @@ studies::form_factors::KeptMatrix load_kept_form_factors(const FormFactorsComman
     const auto file = is_folder ? command.load / matrix_store_file : command.load;
     studies::form_factors::KeptMatrix kept = studies::form_factors::load_matrix(file);
     if (!kept.was_checked) note_unchecked(file);
-    kept.matrix.faults = studies::examine_scene(kept.scene).faults;
+    kept.matrix.faults = studies::examine_scene(studies::make_scene(kept.source)).faults;
     return kept;
 }
 
@@ -242,6 +272,8 @@ bool compute_form_factors(const FormFactorsCommand& command, studies::form_facto
         kept.request.report = [&](const studies::form_factors::Progress& progress) { display.show(progress); };
     }
     kept.matrix = find(kept.scene, kept.request);
+    if (kept.matrix.faces() > kept.scene.faces.size())
+        kept.scene = studies::form_factors::with_added_faces(std::move(kept.scene), kept.request.surroundings);
     kept.matrix.faults = std::move(doubts.faults);
     display.finish();
     limit.reset();
@@ -252,12 +284,14 @@ bool compute_form_factors(const FormFactorsCommand& command, studies::form_facto
 
 ExitCode form_factors(const FormFactorsCommand& command) {
     if (!command.load.empty()) return load(command);
+    if (!command.from.empty()) return sensor_factors(command);
     const Processes processes;
     auto kept = prepare_form_factors(command);
     kept.request.shard = rows_to_sample(command, processes);
     if (!processes.leads()) return assist_form_factors(processes, command, kept);
     if (command.dry_run) return predict_form_factors(kept);
-    const auto out = open_matrix_folder(command, kept.scene);
+    const auto out =
+        open_matrix_folder(command, studies::form_factors::with_added_faces(kept.scene, kept.request.surroundings));
     RowsInFolder rows(out.get(), kept, processes);
     if (rows.count() > 0 && !command.quiet)
         say("note: resuming; {} sampled before.\n", reports::counted(rows.count(), "row"));

@@ -31,6 +31,11 @@ namespace {
 studies::form_factors::KeptMatrix load_of_all_at_once(const FormFactorsCommand& command) {
     auto kept = load_kept_form_factors(command);
     expect_nothing_dropped(kept, "ffstudy heat");
+    if (!kept.request.surroundings.empty())
+        throw UserError(
+            fmt::format("--load {}: the matrix was made with --surroundings {} (heat takes the surroundings from the "
+                        "materials file). Make it without.",
+                        command.load.string(), kept.request.surroundings));
     const bool sampled = std::any_of(kept.matrix.exchanges.begin(), kept.matrix.exchanges.end(),
                                      [](const auto& exchange) { return exchange.is_sampled(); });
     if (sampled && kept.request.level_of != studies::form_factors::LevelOf::matrix)
@@ -76,6 +81,7 @@ ExitCode heat(const HeatCommand& command) {
     const bool is_loaded = !command.factors.load.empty();
     if (!is_loaded && command.factors.scene.empty()) throw UserError("SCENE is missing. See 'ffstudy heat --help'.");
     auto kept = is_loaded ? load_of_all_at_once(command.factors) : prepare_form_factors(command.factors);
+    studies::expect_no_masks(kept.scene);
     const auto said = studies::make_scene_with_materials(kept.source).materials;
     const auto materials = studies::heat::load_materials(command.materials, {kept.scene.faces, said});
     const bool samples_flows = !is_loaded && command.tolerance_of == "flux";

@@ -78,6 +78,8 @@ std::string_view name(ExchangeMethod method) {
             return "contour";
         case ExchangeMethod::quadrature:
             return "quadrature";
+        case ExchangeMethod::remainder:
+            return "remainder";
         case ExchangeMethod::bounds:
             return "bounds";
         case ExchangeMethod::cells:
@@ -108,6 +110,10 @@ std::string_view in_words(ExchangeReason reason) {
             return "something is curved";
         case ExchangeReason::many_blockers:
             return "much may stand in between";
+        case ExchangeReason::covers:
+            return "one covers a part of the other";
+        case ExchangeReason::leaves:
+            return "leaves the scene";
         case ExchangeReason::many_surfaces:
             break;
     }

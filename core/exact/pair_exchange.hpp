@@ -17,6 +17,7 @@ enum class ExchangeMethod : std::uint8_t {
     closed_form,  ///< elementary formulas (core/exact/exact.hpp)
     contour,      ///< contour integrals with a bound (core/formulas/polygon_exchange.hpp)
     quadrature,   ///< Gauss's rule with a bound, of pairs far apart (core/formulas/far_exchange.hpp)
+    remainder,    ///< what is missing of a row's sum
     bounds,       ///< not computed: 0 and the unoccluded value are close enough to each other
     cells,        ///< Gauss's rule where what is seen changes smoothly, and random places that measure what it leaves,
                   ///< with exact factors to what they see (studies/form_factors/cells)
@@ -36,6 +37,8 @@ enum class ExchangeReason : std::uint8_t {
     blocked,        ///< polygons past polygons that may stand in between
     curved,         ///< a surface is curved, or something curved may stand in between
     many_blockers,  ///< more obstacles may stand in between than can be cut out of a polygon
+    covers,         ///< one of them covers a part of the other
+    leaves,         ///< the surroundings of an open scene receive it
     many_surfaces,  ///< the scene has too many surfaces to test what may stand in between
 };
 

@@ -44,6 +44,14 @@ struct CoveredPart {
     double whole = 0;  ///< area of the face before
 };
 
+/// A face that covers a part of another and sees nothing else. It has no surface, and that part is not among the
+/// surfaces of the other.
+struct MaskedPart {
+    std::string name;
+    std::string base;  ///< name of the face that it covers a part of
+    double area = 0;
+};
+
 /// Surfaces, and the faces (groups of surfaces) that results are reported for.
 struct Scene {
     std::string name;       ///< as the user wrote it, e.g. "cube"
@@ -53,6 +61,8 @@ struct Scene {
     bool closed = false;             ///< every ray hits something: a ray that does not is lost
     double coordinate_rounding = 0;  ///< by which the coordinates of a file may be off, as far as their digits tell
     std::vector<CoveredPart> covered;
+    std::vector<MaskedPart> masks;
+    std::vector<std::string> remarks;  ///< what reading a file changed or left out, in words
     std::optional<Eigen::Vector3d>
         empty_box;  ///< edge lengths a, b, c where the scene is the inside of [0,a]x[0,b]x[0,c]
 };

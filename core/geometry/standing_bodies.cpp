@@ -1,7 +1,9 @@
 #include "core/geometry/standing_bodies.hpp"
 
 #include "core/geometry/box_tree.hpp"
+#include "core/geometry/ear_clipping.hpp"
 #include "core/geometry/place_numbers.hpp"
+#include "core/geometry/polygon_parts.hpp"
 #include "core/geometry/surface_map.hpp"
 
 #include <Eigen/Geometry>
@@ -20,91 +22,9 @@ namespace {
 using Eigen::Vector3d;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;  // by numbers of its ends
 
-double length_around(const ConvexPolygon& polygon) {
-    double length = 0;
-    for (std::size_t k = 0; k < polygon.size(); ++k) length += (next_corner(polygon, k) - polygon[k]).norm();
-    return length;
-}
-
-/// Whether a polygon is what rounding leaves along an edge.
-bool is_sliver(const ConvexPolygon& polygon, double gap) {
-    return polygon_area(polygon) <= gap * length_around(polygon);
-}
-
-/// Without corners that are another, or lie on the line between their neighbours, but for rounding.
-ConvexPolygon cleaned(ConvexPolygon polygon, double gap) {
-    for (std::size_t k = 0; k < polygon.size() && polygon.size() >= 3;) {
-        const std::size_t n = polygon.size();
-        const Vector3d& before = polygon[(k + n - 1) % n];
-        const Vector3d& after = polygon[(k + 1) % n];
-        if (distance(polygon[k], before, after) > gap) {
-            ++k;
-        } else {
-            polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(k));
-            k = k > 0 ? k - 1 : 0;
-        }
-    }
-    return polygon;
-}
-
-/// The part of a polygon on one side of an edge of another, both in a plane with this normal.
-ConvexPolygon beside_edge(const ConvexPolygon& polygon, const Vector3d& a, const Vector3d& b, const Vector3d& normal,
-                          double side) {
-    const Vector3d inwards = side * normal.cross(b - a).normalized();
-    return clipped(polygon, inwards, inwards.dot(a));
-}
-
-ConvexPolygon common_part(ConvexPolygon part, const ConvexPolygon& polygon, const Vector3d& normal) {
-    for (std::size_t k = 0; k < polygon.size() && part.size() >= 3; ++k)
-        part = beside_edge(part, polygon[k], next_corner(polygon, k), normal, 1);
-    return part;
-}
-
-/// What is left of convex pieces without a convex polygon that is counter-clockwise around their normal.
-std::vector<ConvexPolygon> without(const std::vector<ConvexPolygon>& pieces, const ConvexPolygon& polygon,
-                                   const Vector3d& normal, double gap) {
-    std::vector<ConvexPolygon> left;
-    for (const ConvexPolygon& piece : pieces) {
-        if (is_sliver(common_part(piece, polygon, normal), gap)) {
-            left.push_back(piece);
-            continue;
-        }
-        ConvexPolygon rest = piece;
-        for (std::size_t k = 0; k < polygon.size(); ++k) {
-            const Vector3d& a = polygon[k];
-            const Vector3d& b = next_corner(polygon, k);
-            ConvexPolygon outside = beside_edge(rest, a, b, normal, -1);
-            if (!is_sliver(outside, gap)) left.push_back(cleaned(std::move(outside), gap));
-            rest = beside_edge(rest, a, b, normal, 1);
-        }
-    }
-    return left;
-}
-
-/// A simple polygon, counter-clockwise around its normal, as triangles: ears are cut off one after the other.
-std::vector<ConvexPolygon> triangles_of(std::vector<Vector3d> polygon, const Vector3d& normal) {
+std::vector<ConvexPolygon> triangles_of(const ConvexPolygon& polygon) {
     std::vector<ConvexPolygon> triangles;
-    const auto turn = [&](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
-        return (b - a).cross(c - b).dot(normal);
-    };
-    while (polygon.size() > 3) {
-        const std::size_t n = polygon.size();
-        std::size_t ear = n;
-        for (std::size_t k = 0; k < n && ear == n; ++k) {
-            const Vector3d& a = polygon[(k + n - 1) % n];
-            const Vector3d& b = polygon[k];
-            const Vector3d& c = polygon[(k + 1) % n];
-            const auto is_in_the_way = [&](const Vector3d& corner) {
-                return &corner != &a && &corner != &b && &corner != &c && turn(a, b, corner) >= 0 &&
-                       turn(b, c, corner) >= 0 && turn(c, a, corner) >= 0;
-            };
-            if (turn(a, b, c) > 0 && std::none_of(polygon.begin(), polygon.end(), is_in_the_way)) ear = k;
-        }
-        if (ear == n) return {};  // not simple, or only rounding is left
-        triangles.push_back({polygon[(ear + n - 1) % n], polygon[ear], polygon[(ear + 1) % n]});
-        polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(ear));
-    }
-    triangles.push_back(std::move(polygon));
+    for (const auto& [a, b, c] : clip_ears(polygon)) triangles.push_back({polygon[a], polygon[b], polygon[c]});
     return triangles;
 }
 
@@ -115,8 +35,7 @@ std::vector<ConvexPolygon> convex_parts(const ConvexPolygon& polygon, const Vect
         const Vector3d along = polygon[(k + 1) % n] - polygon[k];
         const Vector3d next = polygon[(k + 2) % n] - polygon[(k + 1) % n];
         constexpr double rounding = 1e-9;
-        if (along.cross(next).dot(normal) < -rounding * along.norm() * next.norm())
-            return triangles_of(polygon, normal);
+        if (along.cross(next).dot(normal) < -rounding * along.norm() * next.norm()) return triangles_of(polygon);
     }
     return {polygon};
 }
@@ -150,6 +69,14 @@ class Finder {
     [[nodiscard]] bool rises(std::uint32_t surface, const Vector3d& normal, const Vector3d& place) const {
         const Extent reach = heights(surface, normal, place);
         return reach.low >= -gap_ && reach.high > gap_;
+    }
+    /// Whether a surface runs through an edge in this direction, counter-clockwise around its normal.
+    [[nodiscard]] bool runs(std::uint32_t surface, std::uint32_t from, std::uint32_t to) const {
+        const auto& ring = rings_[surface];
+        for (std::size_t k = 0; k < ring.size(); ++k) {
+            if (ring[k] == from && next_corner(ring, k) == to) return true;
+        }
+        return false;
     }
     /// Whether the body of a bottom rises at all of its edges, but those between parts of the bottom.
     [[nodiscard]] bool is_bottom_on(std::uint32_t bottom, std::uint32_t ground) const;
@@ -205,8 +132,9 @@ bool Finder::is_bottom_on(std::uint32_t bottom, std::uint32_t ground) const {
     bool any = false;
     for (std::size_t k = 0; k < ring.size(); ++k) {
         const auto& here = at_edge_.at(edge_between(ring[k], next_corner(ring, k)));
+        // A side of the same body runs through the edge the other way; a wall of a room beyond does not.
         const bool side = std::any_of(here.begin(), here.end(), [&](std::uint32_t other) {
-            return other != bottom && rises(other, normal, place);
+            return other != bottom && rises(other, normal, place) && runs(other, next_corner(ring, k), ring[k]);
         });
         const bool more_of_it = std::any_of(here.begin(), here.end(), [&](std::uint32_t other) {
             return other != bottom && is_level(other, normal, place) && scene_.surfaces[other].normal.dot(normal) < 0;

@@ -8,6 +8,7 @@
 #include "core/support/error.hpp"
 #include "core/visibility/mirrors.hpp"
 #include "samplers/point_sets/draw_set.hpp"
+#include "studies/form_factors/added_faces.hpp"
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/outside/outside_code.hpp"
 #include "studies/readers/text_file.hpp"
@@ -84,7 +85,7 @@ Factors form_factors(const std::string& name, const std::optional<std::string>& 
         found.factors = matrix.factors();
         found.half_widths = matrix.half_widths();
         found.areas = matrix.areas;
-        found.names = scene.faces;
+        found.names = studies::form_factors::with_added_faces(scene, "").faces;
         found.missed = matrix.missed();
         found.trusted = studies::form_factors::is_trusted(scene, matrix, tolerance);
         found.samples = matrix.samples;
@@ -166,8 +167,7 @@ PYBIND11_MODULE(_core, module) {
     module.def("read_scene_file", &ff::studies::read_scene_file, arg("file"));
     module.def(
         "with_faces_of_polygons",
-        [](std::string text) { return ff::studies::with_obj_comment(std::move(text), ff::studies::faces_of_polygons); },
-        arg("text"));
+        [](const std::string& text) { return ff::studies::with_obj_comment(text, "faces polygon"); }, arg("text"));
     module.def("add_function", &add_function, arg("name"), arg("hash"), arg("fill"), arg("most_dimension"),
                arg("randomised"));
     module.def("add_estimator", &add_estimator, arg("name"), arg("hash"), arg("estimate"), arg("has_sizes"),

@@ -75,8 +75,9 @@ std::string matrix_market(const Eigen::MatrixXd& matrix, const std::string& comm
     return out.str();
 }
 
-void write_sparse_matrix_market(std::ostream& out, const Eigen::MatrixXd& matrix, const std::string& comment) {
-    const auto entries = (matrix.array() != 0).count();
+void write_sparse_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& matrix,
+                                const std::string& comment) {
+    const Eigen::Index entries = (matrix.coeffs() != 0).count();
     if (4 * entries > matrix.size()) {
         write_matrix_market(out, matrix, comment);
         return;
@@ -85,8 +86,8 @@ void write_sparse_matrix_market(std::ostream& out, const Eigen::MatrixXd& matrix
     if (!comment.empty()) out << fmt::format("% {}\n", comment);
     out << fmt::format("{} {} {}\n", matrix.rows(), matrix.cols(), entries);
     for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-        for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-            if (matrix(i, j) != 0) out << fmt::format("{} {} {}\n", i + 1, j + 1, matrix(i, j));
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, j); entry; ++entry) {
+            if (entry.value() != 0) out << fmt::format("{} {} {}\n", entry.row() + 1, j + 1, entry.value());
         }
     }
 }

@@ -3,6 +3,7 @@
 #include "studies/store/store.hpp"
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include <functional>
 #include <map>
@@ -17,7 +18,8 @@ void write_matrix_market(std::ostream& out, const Eigen::MatrixXd& matrix, const
 std::string matrix_market(const Eigen::MatrixXd& matrix, const std::string& comment);
 
 /// The same, but "coordinate real general" where at most a quarter of the entries are nonzero.
-void write_sparse_matrix_market(std::ostream& out, const Eigen::MatrixXd& matrix, const std::string& comment);
+void write_sparse_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& matrix,
+                                const std::string& comment);
 
 /// A matrix as a NumPy .npy file, version 1.0; a single column is one-dimensional. @see docs/results.md
 void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix);

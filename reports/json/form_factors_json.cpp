@@ -70,6 +70,7 @@ std::string form_factors_json(const FormFactorReport& report) {
                  {"repair", repair_json(report)},
                  {"warnings", form_factor_warnings(report)}};
     if (report.request.drop > 0) json.update({{"drop", report.request.drop}, {"dropped", matrix.dropped}});
+    if (!report.request.surroundings.empty()) json["surroundings"] = report.request.surroundings;
     if (report.request.relative > 0) json["relative"] = report.request.relative;
     return json.dump(2) + "\n";
 }

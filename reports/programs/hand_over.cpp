@@ -42,9 +42,7 @@ std::vector<std::string_view> names_of_formats() {
 HandedOn hand_on(const Scene& scene, const studies::form_factors::Matrix& matrix,
                  std::vector<std::optional<double>> emissivities) {
     const bool repaired = matrix.repaired && matrix.repaired->possible;
-    return {scene, matrix,
-            repaired ? studies::form_factors::Matrix::Sparse(matrix.repaired->factors.sparseView()) : matrix.factors(),
-            std::move(emissivities)};
+    return {scene, matrix, repaired ? matrix.repaired->factors : matrix.factors(), std::move(emissivities)};
 }
 
 std::string program_formats_in_words() {

@@ -52,6 +52,11 @@ std::vector<std::string> form_factor_warnings(const FormFactorReport& report) {
         if (matrix.rows[i].excludes_one) rows.push_back(i);
     }
     if (!rows.empty()) warnings.push_back(row_warning(report, rows));
+    if (matrix.leak > 0)
+        warnings.push_back(fmt::format(
+            "scene '{}' is said to be closed, but rows differ from 1 by up to {} (gaps or overlaps, as rounded corners "
+            "leave them); intervals of entries allow for what their rows miss",
+            report.scene.name, brief(matrix.leak, 2)));
     if (closed && matrix.lost_rays > 0) {
         warnings.push_back(fmt::format("scene '{}' is said to be closed, but {} of {} met nothing", report.scene.name,
                                        matrix.lost_rays, counted(matrix.rays, "ray")));

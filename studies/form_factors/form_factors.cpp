@@ -4,6 +4,8 @@
 #include "core/geometry/placement.hpp"
 #include "core/support/error.hpp"
 #include "stats/error_rates/multiplicity.hpp"
+#include "studies/form_factors/added_faces.hpp"
+#include "studies/form_factors/closure.hpp"
 #include "studies/form_factors/matrix_builder.hpp"
 #include "studies/form_factors/repair.hpp"
 #include "studies/form_factors/sample_pairs.hpp"
@@ -151,8 +153,14 @@ bool is_trusted(const Scene& scene, const Matrix& matrix, double tolerance) {
 }
 
 bool leaks(const Matrix& matrix, double tolerance) {
-    constexpr double share_of_tolerance = 0.01;
-    return static_cast<double>(matrix.lost_rays) > share_of_tolerance * tolerance * static_cast<double>(matrix.rays);
+    return static_cast<double>(matrix.lost_rays) > tolerance * static_cast<double>(matrix.rays);
+}
+
+bool is_within(const Matrix& matrix, const FaceExchange& exchange, const Request& request) {
+    const double factor = exchange.value / std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]);
+    return !exchange.contradicted &&
+           worst_half_width(matrix, exchange) <=
+               std::max(request.tolerance_between(exchange.from, exchange.to), request.relative * factor);
 }
 
 double worst_half_width(const Matrix& matrix, const FaceExchange& exchange) {
@@ -161,7 +169,8 @@ double worst_half_width(const Matrix& matrix, const FaceExchange& exchange) {
 
 Matrix find_matrix(const Scene& whole_scene, const Request& request) {
     expect_sense(request);
-    if (request.repair) expect_repairable(whole_scene);
+    if (!request.surroundings.empty()) expect_surroundings(whole_scene, request.surroundings);
+    if (request.repair && request.surroundings.empty()) expect_repairable(whole_scene);
     const Placement placement = placement_of(whole_scene);
     const Scene scene = with_joined_surfaces(placed(whole_scene, placement));
     Matrix matrix;
@@ -177,6 +186,7 @@ Matrix find_matrix(const Scene& whole_scene, const Request& request) {
                              : stats::bonferroni_level(1 - request.level, sampled + matrix.faces());
     matrix.entry_level = 1 - alpha;
 
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> lost(matrix.faces());
     MatrixBuilder builder(matrix, geometry, geometry.known, request, alpha);
     std::exchange(geometry.known, {});  // they are in the matrix now
     if (sampled > 0 && !matrix.interrupted) {
@@ -186,12 +196,17 @@ Matrix find_matrix(const Scene& whole_scene, const Request& request) {
         matrix.samples = outcome.samples;
         matrix.rays = outcome.rays;
         matrix.lost_rays = outcome.lost;
+        lost = outcome.lost_of_rows;
         matrix.interrupted = outcome.interrupted;
         matrix.left_out = outcome.left_out;
     }
     builder.end(farthest_coordinate(whole_scene) / placement.unit);
+    if ((whole_scene.closed || whole_scene.empty_box) && !matrix.interrupted && matrix.left_out == 0)
+        judge_closure(matrix, lost, request);
     if (request.drop > 0) drop(matrix, geometry.dropped, request.drop);
     scale_areas(matrix, placement.unit * placement.unit);
+    if (matrix.left_out == 0) add_masks(matrix, whole_scene);
+    if (!request.surroundings.empty() && matrix.left_out == 0) add_surroundings(matrix);
     if (request.repair) matrix.repaired = repair(matrix);
     return matrix;
 }

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -37,12 +38,24 @@ struct RowSum {
     double value = 0;
     double low = 0;
     double high = 0;
-    bool excludes_one = false;  ///< at a level at which some row of a closed scene does so by chance in 0.001 of runs
+    bool excludes_one = false;  ///< it misses the 1 of a closed scene, by more than the tolerance
     DroppedExchange dropped{};  ///< its part that is not kept pair by pair, in factors
+    /// By how much the sum misses 1, at a level at which some row of a closed scene does so by chance in 0.001 of runs.
+    double off_one = 0;
+};
+
+/// The values behind the estimate of a sampled pair.
+struct PairRandomisations {
+    std::uint32_t from = 0;  ///< at most `to`
+    std::uint32_t to = 0;
+    /// The face whose rays they are from. Values of one randomisation share points where this is the same; all others
+    /// are independent.
+    std::optional<std::uint32_t> rays_of;
+    std::array<float, randomisations> values{};  ///< of the factor from `from` to `to`
 };
 
 struct RepairedFactors {
-    Eigen::MatrixXd factors;
+    Eigen::SparseMatrix<double, Eigen::RowMajor> factors;
     bool possible = false;
     double closure_before = 0, closure_after = 0;  ///< largest |row sum - 1|
     double largest_change = 0;
@@ -64,9 +77,11 @@ struct Matrix {
     /// without those that are dropped.
     std::vector<FaceExchange> exchanges;
     std::vector<RowSum> rows;
-    double entry_level = 0;       ///< confidence level of each interval by itself
-    std::uint64_t samples = 0;    ///< in all rounds
-    std::uint64_t lost_rays = 0;  ///< in a closed scene
+    std::vector<PairRandomisations> randomisations;  ///< in the order of `exchanges`, if requested; not stored
+    double entry_level = 0;                          ///< confidence level of each interval by itself
+    std::uint64_t samples = 0;                       ///< in all rounds
+    std::uint64_t lost_rays = 0;                     ///< in a closed scene
+    double leak = 0;  ///< share of a row that gaps of a closed scene let out, if no more than the tolerance
     std::uint64_t rays = 0;
     bool interrupted = false;
     std::uint64_t dropped = 0;  ///< pairs
@@ -91,7 +106,10 @@ struct Matrix {
 /// cannot add up to 1.
 bool is_trusted(const Scene& scene, const Matrix& matrix, double tolerance);
 
-/// Whether the share of lost rays exceeds a hundredth of the tolerance.
+/// Whether an entry is as accurate as requested.
+bool is_within(const Matrix& matrix, const FaceExchange& exchange, const Request& request);
+
+/// Whether the share of lost rays exceeds the tolerance.
 bool leaks(const Matrix& matrix, double tolerance);
 
 /// The larger half of a pair's interval, as a form factor of its smaller face.

@@ -1,5 +1,6 @@
 #include "studies/form_factors/matrix_builder.hpp"
 
+#include "studies/form_factors/aim.hpp"
 #include "studies/form_factors/rounds.hpp"
 
 #include <algorithm>
@@ -13,6 +14,12 @@ namespace {
 /// Clips an interval to what geometry allows, and the value to the interval.
 void clip(FaceExchange& exchange, double least, double most) {
     exchange.clipped = exchange.value < least || exchange.value > most;
+    // Moved with the value: what is left of an interval may be narrower than its error, down to nothing.
+    if (exchange.clipped) {
+        const double moved = std::clamp(exchange.value, least, most) - exchange.value;
+        exchange.low += moved;
+        exchange.high += moved;
+    }
     exchange.low = std::clamp(exchange.low, least, most);
     exchange.high = std::clamp(exchange.high, least, most);
     exchange.value = std::clamp(exchange.value, exchange.low, exchange.high);
@@ -61,14 +68,6 @@ FaceExchange face_exchange(const FacePair& pair, const PairEstimate& estimate) {
     return result;
 }
 
-/// Whether an entry is as accurate as requested.
-bool is_within(const Matrix& matrix, const FaceExchange& exchange, const Request& request) {
-    const double factor = exchange.value / std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]);
-    return !exchange.contradicted &&
-           worst_half_width(matrix, exchange) <=
-               std::max(request.tolerance_between(exchange.from, exchange.to), request.relative * factor);
-}
-
 /// Level of a row's interval at which some row of a closed scene is said not to add up to 1, though it does, in 0.001
 /// of runs.
 double alarm_level(std::size_t faces) {
@@ -113,13 +112,29 @@ void MatrixBuilder::take(std::size_t p, const PairEstimate& estimate) {
     matrix_.exchanges[places_[p]] = face_exchange(pair, estimate);
     if (!estimate.sum || estimate.contradicted) return;
     is_summed_[p] = true;
+    if (request_.randomisations) keep_values(p, estimate);
     for_both(pair, [&](std::size_t face) {
         sums_.add(face, estimate);
         row_levels_[face] = std::max(row_levels_[face], estimate.level);
     });
 }
 
+void MatrixBuilder::keep_values(std::size_t p, const PairEstimate& estimate) {
+    const FacePair& pair = geometry_.pairs[p];
+    PairRandomisations& kept = matrix_.randomisations.emplace_back();
+    kept.from = pair.from;
+    kept.to = pair.to;
+    if (estimate.method == ExchangeMethod::rays) kept.rays_of = static_cast<std::uint32_t>(owner_of(geometry_, p));
+    for (std::size_t k = 0; k < randomisations; ++k) {
+        double value = estimate.sum->offset;
+        for (const SampledSum::Term& term : estimate.sum->terms) value += term.scale * term.share.means[k];
+        kept.values[k] = static_cast<float>(value / matrix_.areas[pair.from]);
+    }
+}
+
 void MatrixBuilder::end(double farthest) {
+    std::sort(matrix_.randomisations.begin(), matrix_.randomisations.end(),
+              [](const auto& a, const auto& b) { return std::pair(a.from, a.to) < std::pair(b.from, b.to); });
     std::vector<KnownSum> rows(matrix_.faces());
     for (std::size_t face = 0; face < rows.size(); ++face) {
         const DroppedExchange& before = geometry_.dropped[face];
@@ -157,8 +172,8 @@ RowSum MatrixBuilder::row_sum(const KnownSum& known, std::size_t row, double far
         std::max(1e-12, 16 * std::numeric_limits<double>::epsilon() * farthest / std::sqrt(matrix_.areas[row]));
     // No true sum is above 1; where the interval is, the scene is not what it should be, and the interval is shown.
     const double end = low > 1 + rounding ? high : std::min(1.0, high);
-    return {known.value, std::min(known.value, std::max(0.0, low)), std::max(known.value, end),
-            least > 1 + rounding || most < 1 - rounding};
+    const double off = least > 1 + rounding ? least - 1 : most < 1 - rounding ? 1 - most : 0;
+    return {known.value, std::min(known.value, std::max(0.0, low)), std::max(known.value, end), false, {}, off};
 }
 
 void MatrixBuilder::KnownSum::add(double area, double exchange, double low, double high) {

@@ -46,6 +46,8 @@ class MatrixBuilder {
     std::vector<std::uint32_t> places_;  ///< of sampled pairs among the exchanges
     std::vector<bool> is_summed_;        ///< sampled pairs that are in `sums_`
 
+    /// Keeps the values of a sampled pair's randomisations.
+    void keep_values(std::size_t p, const PairEstimate& estimate);
     [[nodiscard]] RowSum row_sum(const KnownSum& known, std::size_t row, double farthest) const;
 };
 

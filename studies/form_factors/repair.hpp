@@ -2,8 +2,6 @@
 
 #include "studies/form_factors/form_factors.hpp"
 
-#include <string_view>
-
 namespace ff::studies::form_factors {
 
 /// The factors nearest to the estimates, by the widths of their intervals, that are reciprocal, sum to 1 in every row
@@ -11,9 +9,9 @@ namespace ff::studies::form_factors {
 RepairedFactors repair(const Matrix& matrix);
 
 /// How repaired factors compare with those of the matrix.
-RepairedFactors compare_repaired(const Matrix& matrix, Eigen::MatrixXd repaired, bool possible);
+RepairedFactors compare_repaired(const Matrix& matrix, Matrix::Sparse repaired, bool possible);
 
-/// @throws UserError for a scene that is not closed, whose row sums are unknown; for too many faces
+/// @throws UserError for a scene that is not closed, whose row sums are unknown
 void expect_repairable(const Scene& scene);
 
 }  // namespace ff::studies::form_factors

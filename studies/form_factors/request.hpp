@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace ff::studies::form_factors {
@@ -56,6 +57,8 @@ struct Request {
     Seed seed;
     std::uint64_t max_samples = 1'000'000'000;  ///< rays and evaluations in cells together
     bool repair = false;
+    bool randomisations = false;  ///< whether the matrix keeps the values of randomisations
+    std::string surroundings;     ///< name of a face that is given what leaves an open scene; empty: none
     unsigned threads = 1;
     bool cells = true;                        ///< false: pairs that cells would do are sampled by rays, to test that
     const std::atomic<bool>* stop = nullptr;  ///< set by another thread: returns what is known by then

@@ -34,7 +34,9 @@ class RowSampling {
         : request_(request),
           take_(take),
           rows_(pairs_to_sample(geometry)),
-          rounds_(scene, geometry, request, alpha, rows_) {}
+          rounds_(scene, geometry, request, alpha, rows_) {
+        outcome_.lost_of_rows.resize(geometry.faces());
+    }
 
     SamplingOutcome run() {
         PairsOfRows own = rows_;
@@ -123,6 +125,7 @@ class RowSampling {
         outcome_.samples += row.samples;
         outcome_.rays += row.rays;
         outcome_.lost += row.lost;
+        outcome_.lost_of_rows[row.row] = {row.lost, row.rays};
     }
 };
 

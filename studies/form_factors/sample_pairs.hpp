@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <utility>
+#include <vector>
 
 namespace ff::studies::form_factors {
 
@@ -13,6 +15,7 @@ struct SamplingOutcome {
     std::uint64_t samples = 0;
     std::uint64_t rays = 0;
     std::uint64_t lost = 0;
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> lost_of_rows;  ///< by face: rays that met nothing, all rays
     bool interrupted = false;
     std::size_t left_out = 0;  ///< rows to sample that are neither of this shard nor were received
 };

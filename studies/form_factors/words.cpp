@@ -10,12 +10,12 @@ constexpr std::string_view no_time = "no time to sample it";
 constexpr std::string_view rays_of_row = "the rays of its row do as well";
 
 constexpr std::array every_method{ExchangeMethod::none,       ExchangeMethod::closed_form, ExchangeMethod::contour,
-                                  ExchangeMethod::quadrature, ExchangeMethod::bounds,      ExchangeMethod::cells,
-                                  ExchangeMethod::points,     ExchangeMethod::rays};
-constexpr std::array every_reason{
-    ExchangeReason::turned_away, ExchangeReason::aligned,       ExchangeReason::polygons,
-    ExchangeReason::far,         ExchangeReason::small,         ExchangeReason::blocked,
-    ExchangeReason::curved,      ExchangeReason::many_blockers, ExchangeReason::many_surfaces};
+                                  ExchangeMethod::quadrature, ExchangeMethod::remainder,   ExchangeMethod::bounds,
+                                  ExchangeMethod::cells,      ExchangeMethod::points,      ExchangeMethod::rays};
+constexpr std::array every_reason{ExchangeReason::turned_away,   ExchangeReason::aligned,      ExchangeReason::polygons,
+                                  ExchangeReason::far,           ExchangeReason::small,        ExchangeReason::blocked,
+                                  ExchangeReason::covers,        ExchangeReason::leaves,       ExchangeReason::curved,
+                                  ExchangeReason::many_blockers, ExchangeReason::many_surfaces};
 
 }  // namespace
 

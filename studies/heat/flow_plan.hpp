@@ -25,7 +25,7 @@ std::optional<std::vector<double>> plan_flows(const Scene& scene, const form_fac
 /// Estimate of the samples that one tolerance for all form factors would take for powers as certain as those of a
 /// matrix. @param matrix  has been sampled by a plan @param first  an earlier one: no pair takes fewer samples than
 /// there
-/// @return empty where nothing is sampled, or so little that rays of a row serve pairs that points can do
+/// @return empty where nothing is sampled, or powers do not depend on what is
 std::optional<double> even_samples(const Scene& scene, const form_factors::Matrix& matrix,
                                    const form_factors::Matrix& first, const Materials& materials, double scale);
 

@@ -16,7 +16,7 @@ struct SampledFlows {
     double factor_tolerance = 0;  ///< the smallest of its form factors
     bool is_planned = false;      ///< it is not the pilot
     std::size_t matrices = 0;     ///< that were sampled, the pilot among them
-    std::uint64_t samples = 0;    ///< rays and points for all of them
+    std::uint64_t samples = 0;    ///< rays and evaluations in cells for all of them
     /// Estimate of what one tolerance of all form factors would have taken for flows as certain.
     std::optional<double> even_samples{};
 };

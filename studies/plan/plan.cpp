@@ -211,6 +211,7 @@ StudyPlan plan_study(StudySpec spec) {
     Warnings warnings(plan);
     for (const SceneSource& scene : plan.spec.scenes) plan.scenes.push_back(make_scene(scene));
     for (const Scene& scene : plan.scenes) {
+        expect_no_masks(scene);
         if (!scene.empty_box) {
             for (std::string& doubt : doubts_about(scene)) warnings.add(std::move(doubt));
         }

@@ -1,6 +1,7 @@
 #include "studies/scene_files/builder.hpp"
 
 #include "core/geometry/convex_polygon.hpp"
+#include "core/geometry/ear_clipping.hpp"
 #include "core/geometry/standing_bodies.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/support/error.hpp"
@@ -8,6 +9,7 @@
 #include "core/visibility/level_overlaps.hpp"
 #include "studies/readers/printable.hpp"
 #include "studies/scene_files/coordinate_rounding.hpp"
+#include "studies/scene_files/winding.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +19,9 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -101,16 +105,32 @@ std::string canonical_of(const Scene& scene) {
 }  // namespace
 
 int SceneBuilder::face(const std::string& label, std::uint64_t line) {
-    const auto [entry, is_new] = faces_.try_emplace(label, static_cast<int>(scene_.faces.size()));
-    if (is_new) {
-        if (const auto problem = problem_with_name(label); !problem.empty())
-            fail(line, fmt::format("face '{}' {}", excerpt(label), problem));
-        if (std::find(labels_of_sums.begin(), labels_of_sums.end(), label) != labels_of_sums.end()) {
-            fail(line, fmt::format("face '{}' (summary.csv has sums under that name). Give it another name.", label));
-        }
-        scene_.faces.push_back(label);
+    const auto number = static_cast<int>(scene_.faces.size());
+    const auto [entry, is_new] = faces_.try_emplace(label, number);
+    if (!is_new) return entry->second;
+    if (const auto problem = problem_with_name(label); !problem.empty())
+        fail(line, fmt::format("face '{}' {}", excerpt(label), problem));
+    const bool is_of_sums = std::find(labels_of_sums.begin(), labels_of_sums.end(), label) != labels_of_sums.end();
+    const std::string name = reserve_name(label, is_of_sums);
+    if (is_of_sums) {
+        remark(fmt::format("face '{}' is called '{}', since results have sums under that name", label, name));
     }
-    return entry->second;
+    scene_.faces.push_back(name);
+    return number;
+}
+
+std::string SceneBuilder::reserve_name(const std::string& label, bool numbered) {
+    std::string name = label;
+    for (std::size_t k = 2; numbered || names_.count(name) > 0; ++k, numbered = false)
+        name = fmt::format("{}.{}", label, k);
+    names_.insert(name);
+    return name;
+}
+
+int SceneBuilder::new_face(const std::string& label, std::uint64_t line) {
+    std::string own = label;
+    for (std::size_t k = 2; faces_.count(own) > 0 || names_.count(own) > 0; ++k) own = fmt::format("{}.{}", label, k);
+    return face(own, line);
 }
 
 std::string SceneBuilder::owner(int face) const {
@@ -131,6 +151,7 @@ void SceneBuilder::note(const Vector3d& place) {
 }
 
 void SceneBuilder::add(Surface surface, std::uint64_t line) {
+    has_windings_ = false;
     if (const auto* p = std::get_if<Parallelogram>(&surface.shape)) {
         for (const Vector3d& given : {p->corner, p->edge_u, p->edge_v}) note(given);
     } else if (const auto* disc = std::get_if<Disc>(&surface.shape)) {
@@ -159,41 +180,95 @@ void SceneBuilder::append(Surface surface, std::uint64_t line) {
     lines_.push_back(line);
 }
 
-void SceneBuilder::add_polygon(const std::vector<Vector3d>& corners, int face, std::uint64_t line) {
-    const std::size_t n = corners.size();
-    const Vector3d sum = twice_area(corners);
+bool SceneBuilder::has_area(const std::vector<Vector3d>& corners, std::uint64_t line) {
     double size = 0;
     for (const Vector3d& corner : corners) size = std::max(size, (corner - corners[0]).norm());
+    // What is too large to tell is refused later.
+    if (size > largest_length || twice_area(corners).norm() > least_share_of_area * size * size) return true;
+    changes_.note(PolygonChange::no_area, line);
+    return false;
+}
+
+void SceneBuilder::add_polygon(const std::vector<Vector3d>& corners, int face, std::uint64_t line) {
+    const std::size_t n = corners.size();
+    double size = 0;
+    for (const Vector3d& corner : corners) {
+        note(corner);
+        size = std::max(size, (corner - corners[0]).norm());
+    }
     if (size > largest_length) {
         fail(line, fmt::format("{} reaches beyond {:g}. Use another unit of length.", owner(face), largest_length));
     }
-    if (!(sum.norm() > least_share_of_area * size * size)) {
-        fail(line, fmt::format("{} has no area (nothing leaves it or arrives). Remove it.", owner(face)));
-    }
-    const Vector3d normal = sum.normalized();
+    const Vector3d normal = twice_area(corners).normalized();
+    bool is_convex = true;
+    double turned = 0;  // once around where it is convex, more in a star
     for (std::size_t i = 0; i < n; ++i) {
-        const Vector3d& corner = corners[i];
-        note(corner);
-        const Vector3d& next = corners[(i + 1) % n];
-        const double height = normal.dot(corner - corners[0]);
-        if (!(std::abs(height) <= most_bend * size)) {
-            fail(line, fmt::format("{} is not plane (corner {} is {:.2g} of its size out of the plane). Divide it into "
-                                   "triangles.",
-                                   owner(face), i + 1, std::abs(height) / size));
-        }
-        if ((next - corner).cross(corners[(i + 2) % n] - next).dot(normal) < -most_bend * size * size) {
-            fail(line,
-                 fmt::format("{} is not convex at corner {}. Divide it into triangles.", owner(face), (i + 1) % n + 1));
-        }
+        const Vector3d& next = next_corner(corners, i);
+        const Vector3d along = next - corners[i];
+        const Vector3d onwards = corners[(i + 2) % n] - next;
+        const double turn = along.cross(onwards).dot(normal);
+        is_convex = is_convex && turn >= -most_bend * along.norm() * onwards.norm();
+        turned += std::atan2(turn, along.dot(onwards));
     }
+    is_convex = is_convex && turned < 3 * std::numbers::pi;
+    const bool is_plane = std::all_of(corners.begin(), corners.end(), [&](const Vector3d& corner) {
+        return std::abs(normal.dot(corner - corners[0])) <= most_bend * size;
+    });
     if (n == 4 && (corners[0] + corners[2] - corners[1] - corners[3]).norm() <= parallelogram_gap * size) {
         append({Parallelogram{corners[0], corners[1] - corners[0], corners[3] - corners[0]}, normal, face}, line);
         return;
     }
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-        const Vector3d own = (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
+    std::vector<std::array<std::size_t, 3>> triangles;
+    if (is_plane && is_convex) {
+        for (std::size_t i = 1; i + 1 < n; ++i) triangles.push_back({0, i, i + 1});
+    } else {
+        triangles = clip_ears(corners);
+        if (triangles.empty())
+            fail(line, fmt::format("edges of {} cross each other. Divide it into triangles.", owner(face)));
+        changes_.note(is_convex ? PolygonChange::bent : PolygonChange::concave, line);
+    }
+    for (const auto& [a, b, c] : triangles) {
+        const Vector3d own = (corners[b] - corners[a]).cross(corners[c] - corners[a]);
         if (!(own.norm() > least_share_of_area * size * size)) continue;  // three corners in a line
-        append({Triangle{corners[0], corners[i], corners[i + 1]}, own.normalized(), face}, line);
+        append({Triangle{corners[a], corners[b], corners[c]}, own.normalized(), face}, line);
+    }
+}
+
+void SceneBuilder::turn_surfaces() {
+    if (!has_windings_) return;
+    for (const std::size_t surface : find_winding(scene_).turned) {
+        scene_.surfaces[surface].normal *= -1;
+        changes_.note(PolygonChange::turned, lines_[surface]);
+    }
+}
+
+/// Of surfaces of a face that are the same, one is kept. Two that face opposite ways are the sides of a thin plate.
+void SceneBuilder::leave_out_doubles() {
+    std::vector<std::pair<std::uint64_t, std::size_t>> prints;
+    for (std::size_t i = 0; i < scene_.surfaces.size(); ++i)
+        prints.emplace_back(fingerprint(numbers_of(scene_.surfaces[i])), i);
+    std::sort(prints.begin(), prints.end());
+    std::vector<std::size_t> doubles;
+    for (std::size_t i = 0; i < prints.size(); ++i) {
+        const auto [print, second] = prints[i];
+        const Surface& surface = scene_.surfaces[second];
+        for (std::size_t k = i; k > 0 && prints[k - 1].first == print; --k) {
+            const std::size_t first = prints[k - 1].second;
+            const Surface& other = scene_.surfaces[first];
+            if (numbers_of(other) != numbers_of(surface) || other.normal.dot(surface.normal) < 0) continue;
+            if (other.face != surface.face)
+                fail(lines_[second],
+                     fmt::format("{} is the same as {} of line {} (rays could end on either). Keep one.",
+                                 owner(surface.face), owner(other.face), lines_[first]));
+            doubles.push_back(second);
+            changes_.note(PolygonChange::twice, lines_[second]);
+            break;
+        }
+    }
+    std::sort(doubles.begin(), doubles.end(), std::greater<>());
+    for (const std::size_t surface : doubles) {
+        scene_.surfaces.erase(scene_.surfaces.begin() + static_cast<std::ptrdiff_t>(surface));
+        lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(surface));
     }
 }
 
@@ -234,11 +309,8 @@ void SceneBuilder::cut_out_covered_parts(std::vector<FaceMaterial>* materials) {
 Scene SceneBuilder::finish(bool closed, std::vector<FaceMaterial>* materials) {
     if (scene_.faces.empty()) throw UserError(fmt::format("{}: no face (nothing would be computed). Add one.", name_));
     std::vector<std::size_t> surfaces_of(scene_.faces.size());
-    std::vector<std::pair<std::uint64_t, std::size_t>> prints;
-    for (std::size_t i = 0; i < scene_.surfaces.size(); ++i) {
-        const Surface& surface = scene_.surfaces[i];
+    for (const Surface& surface : scene_.surfaces) {
         if (surface.face != no_face) ++surfaces_of[static_cast<std::size_t>(surface.face)];
-        prints.emplace_back(fingerprint(numbers_of(surface)), i);
     }
     for (std::size_t face = 0; face < surfaces_of.size(); ++face) {
         if (surfaces_of[face] == 0) {
@@ -246,14 +318,9 @@ Scene SceneBuilder::finish(bool closed, std::vector<FaceMaterial>* materials) {
                 fmt::format("{}: face '{}' has no surface. Remove it, or give it one.", name_, scene_.faces[face]));
         }
     }
-    std::sort(prints.begin(), prints.end());
-    for (std::size_t i = 0; i + 1 < prints.size(); ++i) {
-        const auto [print, first] = prints[i];
-        const auto [next_print, second] = prints[i + 1];
-        if (print != next_print || numbers_of(scene_.surfaces[first]) != numbers_of(scene_.surfaces[second])) continue;
-        fail(lines_[second], fmt::format("{} is the same as that of line {} (rays could end on either). Keep one.",
-                                         owner(scene_.surfaces[second].face), lines_[first]));
-    }
+    leave_out_doubles();
+    turn_surfaces();
+    for (std::string& text : changes_.in_words()) remark(std::move(text));
     scene_.name = name_;
     scene_.closed = closed;
     Eigen::AlignedBox3d box;

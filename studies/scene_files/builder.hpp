@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/scene.hpp"
+#include "studies/scene_files/polygon_changes.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace ff::studies {
@@ -25,31 +27,50 @@ class SceneBuilder {
     /// @throws UserError where the name cannot be used in tables and files
     int face(const std::string& label, std::uint64_t line);
 
+    /// A face of its own, whose name gets a number where there is one of that name.
+    int new_face(const std::string& label, std::uint64_t line);
+
+    /// A name that nothing else has, which is taken thus: this, or with a number behind it.
+    std::string reserve_name(const std::string& label, bool numbered = false);
+    [[nodiscard]] const std::string& name_of(int face) const { return scene_.faces[static_cast<std::size_t>(face)]; }
+
     /// @throws UserError where the surface has no area, a number is not finite or too large
     void add(Surface surface, std::uint64_t line);
 
+    /// Whether a polygon has an area. Where it has none, that is remarked upon, and it is to be left out.
+    [[nodiscard]] bool has_area(const std::vector<Eigen::Vector3d>& corners, std::uint64_t line);
+
     /// A polygon of three or more corners, counter-clockwise from its radiating side: a parallelogram where it is one,
-    /// else triangles from the first corner.
-    /// @throws UserError also where it is not convex, or not plane to 1e-6 of its size
+    /// else triangles. That is remarked upon where it is not plane to 1e-6 of its size, or not convex.
+    /// @pre it has an area @throws UserError where its edges cross each other, or it is too large
     void add_polygon(const std::vector<Eigen::Vector3d>& corners, int face, std::uint64_t line);
+
+    /// Adds to what is said of the scene as read.
+    void remark(std::string text) { scene_.remarks.push_back(std::move(text)); }
 
     [[noreturn]] void fail(std::uint64_t line, std::string_view problem) const;
 
-    /// Cuts out what bodies cover that stand on surfaces. Faces of which nothing is left are left out.
+    /// Turns surfaces round that face the other way than the rest of their face, leaves out what is there twice, and
+    /// cuts out what bodies cover that stand on surfaces. Faces of which nothing is left are left out.
     /// @param materials  of the faces; those of faces that are left out are taken out. Null: none
-    /// @throws UserError where there is no surface, no face, a face without surfaces, or a surface twice
+    /// @throws UserError where there is no surface, no face, a face without surfaces, or a surface of two faces
     Scene finish(bool closed, std::vector<FaceMaterial>* materials = nullptr);
 
   private:
     [[nodiscard]] std::string owner(int face) const;
+    void turn_surfaces();
+    void leave_out_doubles();
     void note(const Eigen::Vector3d& place);
     void append(Surface surface, std::uint64_t line);
     void cut_out_covered_parts(std::vector<FaceMaterial>* materials);
 
     std::string name_;
     Scene scene_;
-    std::unordered_map<std::string, int> faces_;
-    std::vector<std::uint64_t> lines_;        ///< one per surface
+    std::unordered_map<std::string, int> faces_;  ///< by name in the file
+    std::unordered_set<std::string> names_;       ///< of faces and masks as they are called
+    std::vector<std::uint64_t> lines_;            ///< one per surface
+    PolygonChanges changes_;
+    bool has_windings_ = true;                ///< every surface is a polygon whose corners tell its side
     std::unordered_set<double> coordinates_;  ///< different ones, without signs and 0; of a large file, the first
 };
 

@@ -3,6 +3,7 @@
 #include "core/visibility/mirrors.hpp"
 #include "studies/scene_files/orientation.hpp"
 #include "studies/scene_files/scene_file.hpp"
+#include "studies/scene_files/winding.hpp"
 
 #include <fmt/format.h>
 
@@ -67,6 +68,29 @@ void add_covered(const Scene& scene, SceneDoubts& doubts) {
             scene.name, whole ? "all" : fmt::format("{:.3g} %", 100 * part.area / part.whole), part.face,
             whole ? "the face is left out" : "that part is left out, and its area is that of the rest"));
     }
+}
+
+void add_remarks(const Scene& scene, SceneDoubts& doubts) {
+    for (const std::string& remark : scene.remarks)
+        doubts.notes.push_back(fmt::format("scene '{}': {}", scene.name, remark));
+}
+
+/// Edges that two polygons run through in the same direction, which is not the boundary of anything.
+void add_winding(const Scene& scene, SceneDoubts& doubts) {
+    for (const int face : find_winding(scene).undecided)
+        doubts.faults.push_back(fmt::format(
+            "scene '{}': polygons of face '{}' are wound in opposite directions, as many one way as the other (half of "
+            "what it sends is lost). Write the corners of each counter-clockwise as seen from the side that radiates.",
+            scene.name, scene.faces[static_cast<std::size_t>(face)]));
+    if (scene.closed) return;  // rays tell more
+    const auto pairs = faces_wound_differently(scene);
+    if (pairs.empty()) return;
+    const auto& [first, second] = pairs.front();
+    doubts.notes.push_back(fmt::format(
+        "scene '{}': faces '{}' and '{}'{} run through a common edge in the same direction (one of them may "
+        "face the wrong way)",
+        scene.name, scene.faces[static_cast<std::size_t>(first)], scene.faces[static_cast<std::size_t>(second)],
+        pairs.size() > 1 ? fmt::format(" and {}", counted(pairs.size() - 1, "other pair")) : ""));
 }
 
 void add_overlaps(const Scene& scene, SceneDoubts& doubts) {
@@ -186,10 +210,12 @@ void add_orientation(const Scene& scene, SceneDoubts& doubts) {
     const bool known = mirrors(scene).empty();
     const std::string name = fmt::format("scene '{}'", scene.name);
     if (known && is_inside_out(probes)) {
-        doubts.faults.push_back(fmt::format(
-            "{}: faces seem to face outwards (no ray from a radiating side meets another, while most from the backs "
-            "meet backs). {}",
-            name, how_to_turn(scene.faces.size())));
+        // The outside of a convex body, alone in open space, looks like a room that is inside out.
+        const bool may_be_meant = !scene.closed && !probes.any_met(0);
+        (may_be_meant ? doubts.notes : doubts.faults)
+            .push_back(fmt::format("{}: faces seem to face outwards (no ray from a radiating side meets another, while "
+                                   "most from the backs meet backs). {}{}",
+                                   name, may_be_meant ? "If a room is meant: " : "", how_to_turn(scene.faces.size())));
         return;
     }
     std::vector<std::size_t> leaking;
@@ -218,10 +244,14 @@ void add_orientation(const Scene& scene, SceneDoubts& doubts) {
         return;
     }
     if (leaks) {
-        doubts.faults.push_back(fmt::format(
-            "{}: {} of {} rays meet nothing, though the scene is said to be closed (a hole, as seen from {}). "
-            "Close it, or do not say that it is closed.",
-            name, lost, rays, names(scene, leaking)));
+        // What passes through a small gap is measured with the form factors, and is no fault below their tolerance.
+        constexpr double small = 0.01;
+        const bool is_small = static_cast<double>(lost) <= small * static_cast<double>(rays);
+        (is_small ? doubts.notes : doubts.faults)
+            .push_back(
+                fmt::format("{}: {} of {} rays meet nothing, though the scene is said to be closed (a {}, as seen "
+                            "from {}). Close it, or do not say that it is closed.",
+                            name, lost, rays, is_small ? "gap" : "hole", names(scene, leaking)));
     }
     if (!on_backs.empty()) {
         doubts.notes.push_back(fmt::format("{}: most rays from {} end on backs (normals may face the wrong way)", name,
@@ -234,7 +264,9 @@ void add_orientation(const Scene& scene, SceneDoubts& doubts) {
 SceneDoubts examine_scene(const Scene& scene) {
     SceneDoubts doubts;
     if (scene.empty_box) return doubts;
+    add_remarks(scene, doubts);
     add_covered(scene, doubts);
+    if (scene.surfaces.size() <= most_surfaces_examined) add_winding(scene, doubts);
     add_overlaps(scene, doubts);
     if (scene.faces.size() <= most_faces_examined) {
         add_resolution(scene, doubts);

@@ -22,6 +22,9 @@ inline constexpr auto names_of<Facing> = name_table(Named{Facing::outward, "outw
 /// Groups of this name are in the way, and are no faces.
 inline constexpr std::string_view occluder_group = "occluder";
 
+/// Whether a file name ends so, in letters of either case. @param extension  in small letters
+bool has_extension(std::string_view name, std::string_view extension);
+
 /// Whether a file name is that of a mesh: .stl, .ply, .off, .gltf or .glb.
 bool names_mesh(std::string_view name);
 

@@ -8,117 +8,197 @@
 
 #include <fmt/format.h>
 
-// The header alone, so that coordinates are read as doubles: the packaged library was built for single precision.
-#define TINYOBJLOADER_USE_DOUBLE
-#define TINYOBJLOADER_IMPLEMENTATION
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wconversion"
-#pragma GCC diagnostic ignored "-Wsign-conversion"
-#pragma GCC diagnostic ignored "-Wold-style-cast"
-#pragma GCC diagnostic ignored "-Wshadow"
-#include <tiny_obj_loader.h>
-#pragma GCC diagnostic pop
-#undef TINYOBJLOADER_IMPLEMENTATION
-#undef TINYOBJLOADER_USE_DOUBLE
-
 #include <algorithm>
-#include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
 namespace ff::studies {
 namespace {
 
-/// The loader counts the corners of a polygon in a byte.
-constexpr std::size_t most_corners = 255;
-
-/// Lines that the loader gets. It computes with what stands in others, and not always with care.
-constexpr std::array<std::string_view, 6> shape_keywords{"v", "vt", "vn", "f", "g", "o"};
-
-/// What the loader is given, and what it does not tell: lines of polygons, and what it would take for 0.
-struct Lines {
-    std::string of_shapes;
-    std::vector<std::uint64_t> of_polygon;
-    std::vector<std::string> materials;            ///< by first use; the first is that of no name
-    std::vector<std::size_t> material_of_polygon;  ///< in `materials`
-    bool closed = false;
-    bool faces_of_polygons = false;
-    bool faces_of_materials = false;
+/// What a polygon belongs to, by number of the name.
+struct Owners {
+    std::size_t group = 0;     ///< that of `g`, or of `o` where there is none
+    std::size_t object = 0;    ///< that of `o`
+    std::size_t material = 0;  ///< that of `usemtl`
 };
 
-/// The loader reads what begins like a number, and wraps what does not fit.
-/// @throws UserError where a corner is not an index of a vertex, with those of texture and normal behind slashes
-void expect_indices(const SceneBuilder& builder, std::uint64_t line, const std::vector<std::string_view>& words) {
-    const auto is_index = [](std::string_view text) { return parse_number<std::int32_t>(text).value_or(0) != 0; };
-    for (std::size_t corner = 1; corner < words.size(); ++corner) {
-        const auto indices = split_at('/', words[corner]);
-        const bool good = indices.size() <= 3 && is_index(indices[0]) &&
-                          std::all_of(indices.begin() + 1, indices.end(),
-                                      [&](std::string_view index) { return index.empty() || is_index(index); });
-        if (!good)
-            builder.fail(line, fmt::format("corner {} is '{}' (vertices count from 1, or back from -1). Write f 1 2 3.",
-                                           corner, excerpt(words[corner])));
+struct Polygon {
+    std::uint64_t line = 0;
+    Owners owners;
+    std::vector<std::int64_t> corners;  ///< numbers of vertices, from 0, which may still be to come
+};
+
+/// Names by number, in the order of their first use; the first is empty.
+class NumberedNames {
+  public:
+    std::size_t number(std::string name) {
+        const auto [entry, is_new] = numbers_.try_emplace(name, names_.size());
+        if (is_new) names_.push_back(std::move(name));
+        return entry->second;
     }
-}
+    const std::string& operator[](std::size_t number) const { return names_[number]; }
 
-/// @throws UserError at a coordinate that is no number, at a corner that is no index, and at a group without polygons
-Lines read_lines(const SceneBuilder& builder, std::string_view text) {
-    Lines lines;
-    lines.materials.emplace_back();
-    std::size_t material = 0;
-    std::string group;
-    std::uint64_t group_line = 0;  // of a group that has no polygon yet
-    const auto expect_polygons = [&] {
-        if (group_line != 0) builder.fail(group_line, fmt::format("group '{}' is empty. Remove it.", excerpt(group)));
-    };
-    for_each_line(text, [&](std::uint64_t number, std::string_view line) {
-        const auto words = split_words(line);
-        const bool wanted =
-            !words.empty() && std::find(shape_keywords.begin(), shape_keywords.end(), words[0]) != shape_keywords.end();
-        if (wanted) lines.of_shapes += fmt::format("{}", fmt::join(words, " "));
-        lines.of_shapes += '\n';  // so that the loader counts lines as we do
+  private:
+    std::vector<std::string> names_{""};
+    std::unordered_map<std::string, std::size_t> numbers_{{"", 0}};
+};
+
+/// Reads the lines of an OBJ file; lines that say nothing of polygons are passed over.
+class ObjReader {
+  public:
+    explicit ObjReader(std::string_view name) : builder_(name) {}
+
+    void read_line(std::uint64_t line, std::string_view text) {
+        auto words = split_words(text);
         if (words.empty()) return;
-        if (words[0] == "v") {
-            for (std::size_t i = 1; i <= 3; ++i) {
-                if (i >= words.size() || !finite_number(words[i]))
-                    builder.fail(number, "a vertex needs three finite coordinates. Write v 0 1 0.5.");
-            }
-        } else if (words[0] == "f") {
-            if (words.size() < 4) builder.fail(number, "a polygon needs three corners or more. Remove it.");
-            if (words.size() > 1 + most_corners)
-                builder.fail(number, fmt::format("more than {} corners. Divide the polygon.", most_corners));
-            expect_indices(builder, number, words);
-            lines.of_polygon.push_back(number);
-            lines.material_of_polygon.push_back(material);
-            group_line = 0;
-        } else if (words[0] == "g" && words.size() > 1) {
-            expect_polygons();
-            group = words[1];
-            group_line = number;
-        } else if (words[0] == "usemtl" && words.size() > 1) {
-            material = static_cast<std::size_t>(std::find(lines.materials.begin(), lines.materials.end(), words[1]) -
-                                                lines.materials.begin());
-            if (material == lines.materials.size()) lines.materials.emplace_back(words[1]);
-        } else if (words[0] == "#") {
-            const std::string comment = fmt::format("{}", fmt::join(words.begin() + 1, words.end(), " "));
-            lines.closed = lines.closed || comment == closed_scene;
-            lines.faces_of_polygons = lines.faces_of_polygons || comment == faces_of_polygons;
-            lines.faces_of_materials = lines.faces_of_materials || comment == faces_of_materials;
+        const auto comment =
+            std::find_if(words.begin() + 1, words.end(), [](auto word) { return word.starts_with('#'); });
+        if (words[0] != "#") words.erase(comment, words.end());
+        const std::string_view keyword = words[0];
+        if (keyword == "v") {
+            read_vertex(line, words);
+        } else if (keyword == "f") {
+            read_polygon(line, words);
+        } else if (keyword == "g") {
+            owners_.group = names_.number(rest(words));
+            if (owners_.group == 0) owners_.group = owners_.object;
+        } else if (keyword == "o") {
+            owners_.object = owners_.group = names_.number(rest(words));
+        } else if (keyword == "usemtl") {
+            owners_.material = names_.number(rest(words));
+        } else if (keyword == "#") {
+            read_comment(rest(words));
         }
-    });
-    expect_polygons();
-    return lines;
-}
+    }
 
-/// Notes the name of a polygon's material, if it has one.
-void add_name(std::vector<FaceMaterial>& materials, std::size_t face, const std::string& name) {
-    if (face >= materials.size()) materials.resize(face + 1);
-    auto& known = materials[face].names;
-    if (!name.empty() && std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
-}
+    SceneWithMaterials finish() {
+        choose_faces();
+        for (const Polygon& polygon : polygons_) add(polygon);
+        Scene scene = builder_.finish(closed_, &materials_);
+        materials_.resize(scene.faces.size());
+        return {std::move(scene), std::move(materials_)};
+    }
+
+  private:
+    using Words = std::vector<std::string_view>;
+
+    SceneBuilder builder_;
+    std::vector<Eigen::Vector3d> vertices_;
+    std::vector<Polygon> polygons_;
+    NumberedNames names_;
+    Owners owners_;
+    std::string faces_;  ///< what a face is; empty: not said
+    bool closed_ = false;
+    std::unordered_map<std::size_t, std::size_t> polygons_of_;  ///< by name, so far
+    std::vector<FaceMaterial> materials_;
+
+    static std::string rest(const Words& words) {
+        return fmt::format("{}", fmt::join(words.begin() + 1, words.end(), " "));
+    }
+
+    void read_vertex(std::uint64_t line, const Words& words) {
+        Eigen::Vector3d place;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto coordinate = i + 1 < words.size() ? finite_number(words[i + 1]) : std::nullopt;
+            if (!coordinate) builder_.fail(line, "a vertex needs three finite coordinates. Write v 0 1 0.5.");
+            place[static_cast<Eigen::Index>(i)] = *coordinate;
+        }
+        vertices_.push_back(place);
+    }
+
+    void read_polygon(std::uint64_t line, const Words& words) {
+        if (words.size() < 4) builder_.fail(line, "a polygon needs three corners or more. Remove it.");
+        Polygon& polygon = polygons_.emplace_back(Polygon{line, owners_, {}});
+        for (std::size_t corner = 1; corner < words.size(); ++corner)
+            polygon.corners.push_back(vertex_of(line, corner, words[corner]));
+    }
+
+    /// The vertex of a corner like "3", "3/1/2", "3//2" or "-1".
+    [[nodiscard]] std::int64_t vertex_of(std::uint64_t line, std::size_t corner, std::string_view word) const {
+        const auto index = [](std::string_view text) { return parse_number<std::int32_t>(text).value_or(0); };
+        const auto indices = split_at('/', word);
+        const bool good = indices.size() <= 3 && index(indices[0]) != 0 &&
+                          std::all_of(indices.begin() + 1, indices.end(),
+                                      [&](std::string_view other) { return other.empty() || index(other) != 0; });
+        if (!good)
+            builder_.fail(
+                line, fmt::format("corner {} is '{}' (vertices count from 1, or back from -1). Write f 1 2 3.", corner,
+                                  excerpt(word)));
+        const std::int64_t given = index(indices[0]);
+        return given > 0 ? given - 1 : static_cast<std::int64_t>(vertices_.size()) + given;
+    }
+
+    void read_comment(const std::string& comment) {
+        closed_ = closed_ || comment == closed_scene;
+        for (const std::string_view by : obj_faces) {
+            if (comment == fmt::format("faces {}", by)) faces_ = by;
+        }
+    }
+
+    [[nodiscard]] bool is_occluder(const Polygon& polygon) const {
+        return names_[polygon.owners.group] == occluder_group || names_[polygon.owners.object] == occluder_group;
+    }
+
+    /// How many different names the polygons have that are no occluders.
+    template <class Member>
+    [[nodiscard]] std::size_t count(Member member) const {
+        std::unordered_set<std::size_t> different;
+        for (const Polygon& polygon : polygons_) {
+            if (!is_occluder(polygon)) different.insert(polygon.owners.*member);
+        }
+        return different.size();
+    }
+
+    /// Where it is not said what a face is, it is what tells polygons apart: groups, or else materials.
+    void choose_faces() {
+        if (!faces_.empty()) return;
+        faces_ = "group";
+        const std::size_t materials = count(&Owners::material);
+        if (count(&Owners::group) > 1 || materials < 2) return;
+        faces_ = "material";
+        builder_.remark(
+            fmt::format("its faces are its {} materials, since all polygons are of one group (with --faces "
+                        "group they are one face)",
+                        materials));
+    }
+
+    [[nodiscard]] std::string label_of(const Polygon& polygon) {
+        const Owners& owners = polygon.owners;
+        std::size_t name = owners.group;
+        if (faces_ == "material" && owners.material != 0) name = owners.material;
+        if (faces_ == "object") name = owners.object;
+        const std::string label = name == 0 ? "1" : names_[name];
+        return faces_ == "polygon" ? fmt::format("{}.{}", label, ++polygons_of_[name]) : label;
+    }
+
+    void add(const Polygon& polygon) {
+        std::vector<Eigen::Vector3d> corners;
+        for (const std::int64_t vertex : polygon.corners) {
+            if (vertex < 0 || vertex >= static_cast<std::int64_t>(vertices_.size()))
+                builder_.fail(polygon.line, fmt::format("corner {} is vertex {}, of {}. Correct the index.",
+                                                        corners.size() + 1, vertex + 1, vertices_.size()));
+            corners.push_back(vertices_[static_cast<std::size_t>(vertex)]);
+        }
+        if (!builder_.has_area(corners, polygon.line)) return;
+        int face = no_face;
+        if (!is_occluder(polygon)) {
+            face = builder_.face(label_of(polygon), polygon.line);
+            add_material(static_cast<std::size_t>(face), names_[polygon.owners.material]);
+        }
+        builder_.add_polygon(corners, face, polygon.line);
+    }
+
+    void add_material(std::size_t face, const std::string& name) {
+        if (face >= materials_.size()) materials_.resize(face + 1);
+        auto& known = materials_[face].names;
+        if (!name.empty() && std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+    }
+};
 
 }  // namespace
 
@@ -127,53 +207,18 @@ std::string with_obj_comment(std::string_view text, std::string_view comment) {
 }
 
 SceneWithMaterials read_obj_scene(std::string_view name, std::string_view text) {
-    SceneBuilder builder(name);
-    const Lines lines = read_lines(builder, text);
-    tinyobj::ObjReaderConfig config;
-    config.triangulate = false;
-    config.vertex_color = false;
-    tinyobj::ObjReader reader;
-    if (!reader.ParseFromString(lines.of_shapes, "", config)) {
-        throw UserError(fmt::format("{}: cannot be read as OBJ ({}). See docs/scenes.md.", name, reader.Error()));
-    }
-    const auto& vertices = reader.GetAttrib().vertices;
-    std::size_t polygon = 0;
-    std::unordered_map<std::string, std::size_t> polygons_of;  // a group
-    std::vector<FaceMaterial> materials;
-    for (const tinyobj::shape_t& shape : reader.GetShapes()) {
-        const std::string label = shape.name.empty() ? "1" : shape.name;
-        const std::uint64_t first_line = polygon < lines.of_polygon.size() ? lines.of_polygon[polygon] : 1;
-        const bool divided = (lines.faces_of_polygons || lines.faces_of_materials) && label != occluder_group;
-        int face = no_face;
-        if (label != occluder_group && !divided) face = builder.face(label, first_line);
-        std::size_t first = 0;
-        for (const auto corners_of_polygon : shape.mesh.num_face_vertices) {
-            if (polygon >= lines.of_polygon.size()) break;
-            const std::string& material = lines.materials[lines.material_of_polygon[polygon]];
-            const std::uint64_t line = lines.of_polygon[polygon++];
-            std::vector<Eigen::Vector3d> corners;
-            for (std::size_t i = 0; i < corners_of_polygon; ++i) {
-                const int index = shape.mesh.indices[first + i].vertex_index;
-                if (index < 0 || static_cast<std::size_t>(index) >= vertices.size() / 3) {
-                    builder.fail(line, fmt::format("corner {} of face '{}' is vertex {}, of {}. Mend the index.", i + 1,
-                                                   label, index + 1, vertices.size() / 3));
-                }
-                const double* place = &vertices[3 * static_cast<std::size_t>(index)];
-                corners.emplace_back(place[0], place[1], place[2]);
-            }
-            first += corners_of_polygon;
-            if (divided) {
-                const std::string& part = lines.faces_of_materials && !material.empty() ? material : label;
-                face = builder.face(lines.faces_of_polygons ? fmt::format("{}.{}", part, ++polygons_of[part]) : part,
-                                    line);
-            }
-            builder.add_polygon(corners, face, line);
-            if (face != no_face) add_name(materials, static_cast<std::size_t>(face), material);
-        }
-    }
-    Scene scene = builder.finish(lines.closed, &materials);
-    materials.resize(scene.faces.size());
-    return {std::move(scene), std::move(materials)};
+    ObjReader reader(name);
+    std::string continued;  // lines that end in a backslash, without it
+    for_each_line(text, [&](std::uint64_t number, std::string_view line) {
+        const std::string_view content = trimmed(line);
+        const bool goes_on = content.ends_with('\\') && !content.starts_with('#');
+        if (continued.empty() && !goes_on) return reader.read_line(number, content);
+        continued += content.substr(0, content.size() - (goes_on ? 1 : 0));
+        continued += ' ';
+        if (!goes_on) reader.read_line(number, std::exchange(continued, {}));
+    });
+    reader.read_line(0, continued);
+    return reader.finish();
 }
 
 }  // namespace ff::studies

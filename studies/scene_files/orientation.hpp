@@ -23,6 +23,13 @@ struct SideProbes {
     [[nodiscard]] std::size_t met(std::size_t from, std::size_t side, std::size_t to, std::size_t on) const {
         return ends[((2 * from + side) * faces + to) * 2 + on];
     }
+    /// Whether a ray from that side of any face ended on a face.
+    [[nodiscard]] bool any_met(std::size_t side) const {
+        for (std::size_t from = 0; from < faces; ++from) {
+            if (lost[2 * from + side] < rays[2 * from + side]) return true;
+        }
+        return false;
+    }
 };
 
 /// Shoots 64 rays from both sides of each surface of a face, or of a subset where there are more than 1000 surfaces.

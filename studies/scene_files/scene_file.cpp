@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <utility>
 
 namespace ff::studies {
@@ -26,13 +27,20 @@ SceneWithMaterials scene_without_mirrors(const SceneSource& source) {
         throw UserError(
             fmt::format("scene '{}' (scene files can be named by study files only). Take cube or box:AxBxC.", name));
     }
-    if (name.ends_with(".obj")) return read_obj_scene(name, *source.text);
+    if (has_extension(name, ".obj")) return read_obj_scene(name, *source.text);
     if (names_mesh(name)) return read_obj_scene(fmt::format("{} as OBJ", name), *source.text);
-    if (name.ends_with(".vs3")) return read_vs3_scene(name, *source.text);
+    if (has_extension(name, ".vs3")) return read_vs3_scene(name, *source.text);
     return read_toml_scene(name, *source.text);
 }
 
 }  // namespace
+
+bool has_extension(std::string_view name, std::string_view extension) {
+    if (name.size() < extension.size()) return false;
+    return std::equal(
+        extension.begin(), extension.end(), name.end() - static_cast<std::ptrdiff_t>(extension.size()),
+        [](char wanted, char given) { return wanted == std::tolower(static_cast<unsigned char>(given)); });
+}
 
 std::string scene_extensions_in_words() {
     return fmt::format(".obj, .toml, .vs3, {}", fmt::join(mesh_extensions, ", "));
@@ -44,11 +52,11 @@ std::string read_scene_file(const std::filesystem::path& file) {
 
 bool names_mesh(std::string_view name) {
     return std::any_of(mesh_extensions.begin(), mesh_extensions.end(),
-                       [&](std::string_view extension) { return name.ends_with(extension); });
+                       [&](std::string_view extension) { return has_extension(name, extension); });
 }
 
 bool is_read_as_obj(std::string_view name) {
-    return name.ends_with(".obj") || names_mesh(name);
+    return has_extension(name, ".obj") || names_mesh(name);
 }
 
 SceneWithMaterials make_scene_with_materials(const SceneSource& source) {
@@ -60,6 +68,14 @@ SceneWithMaterials make_scene_with_materials(const SceneSource& source) {
 
 Scene make_scene(const SceneSource& source) {
     return make_scene_with_materials(source).scene;
+}
+
+void expect_no_masks(const Scene& scene) {
+    if (scene.masks.empty()) return;
+    throw UserError(
+        fmt::format("scene '{}': '{}' masks a part of '{}' (only ffstudy form_factors takes masks). Write it as a null "
+                    "surface (N).",
+                    scene.name, scene.masks.front().name, scene.masks.front().base));
 }
 
 Scene make_scene(std::string_view title) {

@@ -3,6 +3,7 @@
 #include "core/geometry/scene.hpp"
 #include "studies/scene_files/scene_source.hpp"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -20,9 +21,9 @@ std::string scene_extensions_in_words();
 /// The text of a scene file; a mesh is converted to OBJ. @throws UserError, IoError
 std::string read_scene_file(const std::filesystem::path& file);
 
-/// Comments of OBJ files: every polygon, or every material, is a face of its own; every ray hits something.
-inline constexpr std::string_view faces_of_polygons = "faces polygon";
-inline constexpr std::string_view faces_of_materials = "faces material";
+/// What a face of an OBJ file is, as in its comment "faces group".
+inline constexpr std::array<std::string_view, 4> obj_faces{"group", "object", "material", "polygon"};
+/// A comment of OBJ files: every ray hits something.
 inline constexpr std::string_view closed_scene = "closed";
 
 /// The text of an OBJ file, or of a converted mesh, with such a comment.
@@ -49,6 +50,9 @@ SceneWithMaterials make_scene_with_materials(const SceneSource& source);
 
 /// The built-in scene of that name, which may have mirrors. @throws UserError
 Scene make_scene(std::string_view title);
+
+/// @throws UserError where a scene has masks, which only matrices of form factors take
+void expect_no_masks(const Scene& scene);
 
 /// Doubts about a scene.
 struct SceneDoubts {

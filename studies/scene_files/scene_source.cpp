@@ -14,7 +14,8 @@ constexpr char between_mirrors = '+';
 }  // namespace
 
 bool SceneSource::is_file() const {
-    return name.ends_with(".toml") || name.ends_with(".obj") || name.ends_with(".vs3") || names_mesh(name);
+    return has_extension(name, ".toml") || has_extension(name, ".obj") || has_extension(name, ".vs3") ||
+           names_mesh(name);
 }
 
 std::string SceneSource::title() const {

@@ -2,11 +2,15 @@
 #include "core/support/words.hpp"
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
+#include "studies/scene_files/vs3_surface.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,68 +18,100 @@
 namespace ff::studies {
 namespace {
 
+using Eigen::Vector3d;
 using LineWords = std::vector<std::string_view>;
+
+char upper(char c) {
+    return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+}
+
+bool is_word(std::string_view word, std::string_view wanted) {
+    return std::equal(word.begin(), word.end(), wanted.begin(), wanted.end(),
+                      [](char a, char b) { return upper(a) == upper(b); });
+}
 
 class Vs3Reader {
   public:
     explicit Vs3Reader(std::string_view name) : builder_(name) {}
 
     void read_line(std::uint64_t line, const LineWords& words) {
-        if (ended_ || words.empty() || words[0].front() == '!' || words[0].front() == '/') return;
-        switch (words[0].front()) {
+        if (ended_ || words.empty() || words[0].front() == '/') return;
+        if (pending_) return read_numbers(line, words);
+        switch (upper(words[0].front())) {
             case 'V':
-            case 'v':
                 return read_vertex(line, words);
             case 'S':
-            case 's':
-                return read_surface(line, words);
             case 'O':
-            case 'o':
-                builder_.add_polygon(corners(line, words), no_face, line);
-                return;
+            case 'M':
+            case 'N':
+                return read_surface(line, words);
             case 'C':
-            case 'c':
-                return read_control(words);
+                return read_control(line, words);
             case 'F':
-            case 'f':
-                if (words.size() < 2 || words[1] != "3")
-                    builder_.fail(line,
-                                  "only three-dimensional geometry is read (F 3). Give surfaces in three dimensions.");
-                return;
+                return read_format(line, words);
             case 'E':
-            case 'e':
             case '*':
                 ended_ = true;
                 return;
             case 'T':
-            case 't':
                 return;
             default:
-                builder_.fail(line, fmt::format("'{}' begins no line of a View3D file. Begin it with T, C, F, V, S, O "
-                                                "or E, or with ! for a comment.",
+                builder_.fail(line, fmt::format("'{}' begins no line of a View3D file. Begin it with T, C, F, V, S, O, "
+                                                "M, N or E, or with ! for a comment.",
                                                 excerpt(words[0])));
         }
     }
 
     SceneWithMaterials finish() {
-        Scene scene = builder_.finish(closed_, &materials_);
+        if (pending_)
+            builder_.fail(surfaces_.back().line,
+                          fmt::format("numbers are missing: {} of {} are there. Write the rest on the next line.",
+                                      pending_->numbers.size(), pending_->wanted()));
+        for (const Vs3Surface& surface : surfaces_) add(surface);
+        if (closed_ && !masks_.empty())
+            builder_.remark(
+                "it has masks, whose backs receive what is counted for no face, so that it is taken as open");
+        Scene scene = builder_.finish(closed_ && masks_.empty(), &materials_);
+        scene.masks = std::move(masks_);
         materials_.resize(scene.faces.size());
         return {std::move(scene), std::move(materials_)};
     }
 
   private:
+    SceneBuilder builder_;
+    bool places_shapes_ = false;       ///< format 3a
+    std::optional<Vs3Shape> pending_;  ///< what the numbers of the next lines belong to
+    std::map<long, Vector3d> vertices_;
+    std::vector<Vs3Surface> surfaces_;
+    std::map<long, std::size_t> by_number_;           ///< place in `surfaces_`
+    std::map<long, std::vector<std::size_t>> parts_;  ///< by number of their base, places in `surfaces_`
+    std::map<long, int> faces_;                       ///< by number of a surface
+    std::vector<MaskedPart> masks_;
+    std::vector<FaceMaterial> materials_;
+    bool closed_ = false;
+    bool ended_ = false;
+
+    [[nodiscard]] std::string word_at(const LineWords& words, std::size_t at) const {
+        return at < words.size() ? fmt::format("'{}'", excerpt(words[at])) : std::string("missing");
+    }
+
     [[nodiscard]] long number(std::uint64_t line, const LineWords& words, std::size_t at) const {
         const auto value = at < words.size() ? parse_number<long>(words[at]) : std::nullopt;
         if (!value)
-            builder_.fail(line,
-                          fmt::format("field {} is {}. Write a whole number there.", at + 1,
-                                      at < words.size() ? fmt::format("'{}', not a whole number", excerpt(words[at]))
-                                                        : std::string("missing")));
+            builder_.fail(line, fmt::format("field {} is {}{}. Write a whole number there.", at + 1, word_at(words, at),
+                                            at < words.size() ? ", not a whole number" : ""));
         return *value;
     }
 
+    void read_format(std::uint64_t line, const LineWords& words) {
+        places_shapes_ = words.size() > 1 && is_word(words[1], "3a");
+        if (places_shapes_ || (words.size() > 1 && words[1] == "3")) return;
+        builder_.fail(line,
+                      "only three-dimensional geometry is read (F 3 or F 3a). Give surfaces in three dimensions.");
+    }
+
     void read_vertex(std::uint64_t line, const LineWords& words) {
-        Eigen::Vector3d place;
+        Vector3d place;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto coordinate = i + 2 < words.size() ? finite_number(words[i + 2]) : std::nullopt;
             if (!coordinate) builder_.fail(line, "a vertex needs three finite coordinates. Write V 1 0 1 0.5.");
@@ -89,15 +125,15 @@ class Vs3Reader {
     }
 
     /// Fields 2 to 5 after the surface's number; a triangle has a 0 in the last.
-    [[nodiscard]] std::vector<Eigen::Vector3d> corners(std::uint64_t line, const LineWords& words) const {
-        std::vector<Eigen::Vector3d> all;
+    [[nodiscard]] std::vector<Vector3d> corners(std::uint64_t line, const LineWords& words) const {
+        std::vector<Vector3d> all;
         for (std::size_t i = 2; i < 6; ++i) {
             const long index = number(line, words, i);
             if (i == 5 && index == 0) break;
             const auto found = vertices_.find(index);
             if (found == vertices_.end()) {
                 builder_.fail(line,
-                              fmt::format("vertex {} is not there (vertices come first). Mend the index.", index));
+                              fmt::format("vertex {} is not there (vertices come first). Correct the index.", index));
             }
             all.push_back(found->second);
         }
@@ -105,59 +141,158 @@ class Vs3Reader {
     }
 
     void read_surface(std::uint64_t line, const LineWords& words) {
-        const long index = number(line, words, 1);
-        if (words.size() > 6 && number(line, words, 6) != 0) {
-            builder_.fail(line, "a surface on another one (field 'base') is not read. Divide the wall around it.");
-        }
-        const long combined = words.size() > 7 ? number(line, words, 7) : 0;
-        const std::string label = words.size() > 9 ? std::string(words[9]) : std::to_string(index);
-        int face = 0;
-        if (combined != 0) {
-            const auto found = faces_.find(combined);
-            if (found == faces_.end()) {
-                builder_.fail(line, fmt::format("the surface is to be combined with surface {}, which does not come "
-                                                "before it. Move it, or write 0.",
-                                                combined));
-            }
-            face = found->second;
+        Vs3Surface surface;
+        surface.kind = upper(words[0].front());
+        surface.line = line;
+        surface.number = number(line, words, 1);
+        std::size_t next = 6;
+        if (places_shapes_) {
+            next = 3;
+            const char shape = words.size() > 2 ? upper(words[2].front()) : ' ';
+            if (shape != 'R' && shape != 'T' && shape != 'Q')
+                builder_.fail(line, fmt::format("field 3 is {} (a shape is wanted). Write R for a rectangle, T for a "
+                                                "triangle or Q for a quadrilateral.",
+                                                word_at(words, 2)));
+            pending_ = Vs3Shape{shape, {}};
         } else {
-            face = builder_.face(label, line);
+            surface.corners = corners(line, words);
         }
-        if (!faces_.emplace(index, face).second)
-            builder_.fail(
-                line,
-                fmt::format("surface {} is there twice (others could mean either). Give one another number.", index));
-        builder_.add_polygon(corners(line, words), face, line);
-        if (const auto emissivity = words.size() > 8 ? finite_number(words[8]) : std::nullopt)
-            add_emissivity(static_cast<std::size_t>(face), *emissivity);
+        if (surface.kind != 'O') {
+            if (words.size() > next) surface.base = number(line, words, next);
+            if (words.size() > next + 1) surface.combined = number(line, words, next + 1);
+            if (words.size() > next + 2) surface.emissivity = finite_number(words[next + 2]);
+            if (words.size() > next + 3)
+                surface.name = fmt::format(
+                    "{}", fmt::join(words.begin() + static_cast<std::ptrdiff_t>(next) + 3, words.end(), " "));
+        }
+        if (surface.name.empty()) surface.name = std::to_string(surface.number);
+        if (!by_number_.emplace(surface.number, surfaces_.size()).second)
+            builder_.fail(line,
+                          fmt::format("surface {} is there twice (others could mean either). Give one another number.",
+                                      surface.number));
+        if (surface.base != 0) parts_[surface.base].push_back(surfaces_.size());
+        surfaces_.push_back(std::move(surface));
     }
 
-    void add_emissivity(std::size_t face, double emissivity) {
+    void read_numbers(std::uint64_t line, const LineWords& words) {
+        for (std::size_t k = 0; k < words.size() && pending_->numbers.size() < pending_->wanted(); ++k) {
+            const auto value = finite_number(words[k]);
+            if (!value)
+                builder_.fail(line, fmt::format("field {} is {} (number {} of {} of surface {} is wanted). Write it "
+                                                "there.",
+                                                k + 1, word_at(words, k), pending_->numbers.size() + 1,
+                                                pending_->wanted(), surfaces_.back().number));
+            pending_->numbers.push_back(*value);
+        }
+        if (pending_->numbers.size() < pending_->wanted()) return;
+        surfaces_.back().corners = pending_->corners();
+        pending_.reset();
+    }
+
+    /// Words and values with blanks, commas or = between them.
+    void read_control(std::uint64_t line, const LineWords& words) {
+        constexpr std::array<std::string_view, 12> passed_over{"eps",  "list", "out", "emit", "maxU", "maxO",
+                                                               "minO", "row",  "col", "prjD", "maxV", "encl"};
+        const std::string all = fmt::format("{}", fmt::join(words.begin() + 1, words.end(), " "));
+        const auto parts = split_words(all, " =,");
+        for (std::size_t k = 0; k < parts.size(); k += 2) {
+            const std::string_view word = parts[k];
+            const auto value = k + 1 < parts.size() ? finite_number(parts[k + 1]) : std::nullopt;
+            const bool is_known = std::any_of(passed_over.begin(), passed_over.end(),
+                                              [&](std::string_view known) { return is_word(word, known); });
+            if (!is_known) {
+                builder_.remark(
+                    fmt::format("control word '{}' (line {}) is unknown and is passed over", excerpt(word), line));
+            } else if (!value) {
+                builder_.fail(
+                    line, fmt::format("control word '{}' has no number. Write {}=1.", excerpt(word), excerpt(word)));
+            } else if (is_word(word, "encl")) {
+                closed_ = *value != 0;
+            }
+        }
+    }
+
+    /// The surface of that number. @throws UserError where it does not come before
+    [[nodiscard]] const Vs3Surface& earlier(const Vs3Surface& surface, long number, std::string_view what) const {
+        const auto found = by_number_.find(number);
+        if (found == by_number_.end() || found->second >= by_number_.at(surface.number))
+            builder_.fail(surface.line,
+                          fmt::format("surface {} {} surface {}, which does not come before it. Move it, or "
+                                      "write 0.",
+                                      surface.number, what, number));
+        return surfaces_[found->second];
+    }
+
+    void expect_on_base(const Vs3Surface& part) const {
+        const Vs3Surface& base = earlier(part, part.base, "lies on");
+        if (const std::string problem = problem_on_base(part, base); !problem.empty())
+            builder_.fail(part.line, fmt::format("surface {} {} surface {}, its base. Correct it, or write 0.",
+                                                 part.number, problem, base.number));
+        for (const std::size_t other : parts_.at(base.number)) {
+            if (surfaces_[other].number != part.number && part.kind != 'S' && overlap(base, part, surfaces_[other]))
+                builder_.fail(part.line, fmt::format("surface {} overlaps surface {}, both on surface {}. Divide them.",
+                                                     part.number, surfaces_[other].number, base.number));
+        }
+    }
+
+    void add(const Vs3Surface& surface) {
+        if (!builder_.has_area(surface.corners, surface.line)) return;
+        if (surface.kind == 'O') return builder_.add_polygon(surface.corners, no_face, surface.line);
+        if (surface.base != 0) expect_on_base(surface);
+        if (surface.kind != 'S') return add_part(surface);
+        int face = no_face;
+        if (surface.combined == 0) {
+            face = builder_.new_face(surface.name, surface.line);
+        } else {
+            const auto found = faces_.find(earlier(surface, surface.combined, "is to be combined with").number);
+            if (found == faces_.end())
+                builder_.fail(surface.line,
+                              fmt::format("surface {} is to be combined with surface {}, which is no face. "
+                                          "Write 0.",
+                                          surface.number, surface.combined));
+            face = found->second;
+        }
+        faces_.emplace(surface.number, face);
+        add_emissivity(static_cast<std::size_t>(face), surface.emissivity);
+        std::vector<const Vs3Surface*> parts;
+        if (const auto found = parts_.find(surface.number); found != parts_.end()) {
+            for (const std::size_t part : found->second) parts.push_back(&surfaces_[part]);
+        }
+        if (parts.empty()) return builder_.add_polygon(surface.corners, face, surface.line);
+        for (const ConvexPolygon& piece : left_of_base(surface, parts)) builder_.add_polygon(piece, face, surface.line);
+    }
+
+    /// A surface that faces its base, and takes a part of it out of sight.
+    void add_part(const Vs3Surface& part) {
+        if (part.base == 0)
+            builder_.fail(part.line, fmt::format("surface {} has no base (it lies on another surface and faces it). "
+                                                 "Write the number of that surface.",
+                                                 part.number));
+        if (part.kind == 'N') return;
+        const auto base = faces_.find(part.base);
+        if (base == faces_.end())
+            builder_.fail(part.line, fmt::format("surface {} masks surface {}, which is no surface that radiates. "
+                                                 "Correct the base.",
+                                                 part.number, part.base));
+        masks_.push_back(
+            {builder_.reserve_name(part.name), builder_.name_of(base->second), polygon_area(part.corners)});
+    }
+
+    void add_emissivity(std::size_t face, std::optional<double> emissivity) {
+        if (!emissivity) return;
         if (face >= materials_.size()) materials_.resize(face + 1);
         auto& known = materials_[face].emissivities;
-        if (std::find(known.begin(), known.end(), emissivity) == known.end()) known.push_back(emissivity);
+        if (std::find(known.begin(), known.end(), *emissivity) == known.end()) known.push_back(*emissivity);
     }
-
-    void read_control(const LineWords& words) {
-        for (const std::string_view word : words) {
-            if (word == "encl=1" || word == "encl=1,") closed_ = true;
-        }
-    }
-
-    SceneBuilder builder_;
-    std::map<long, Eigen::Vector3d> vertices_;
-    std::map<long, int> faces_;  ///< by number of a surface
-    std::vector<FaceMaterial> materials_;
-    bool closed_ = false;
-    bool ended_ = false;
 };
 
 }  // namespace
 
 SceneWithMaterials read_vs3_scene(std::string_view name, std::string_view text) {
     Vs3Reader reader(name);
-    for_each_line(text,
-                  [&](std::uint64_t number, std::string_view line) { reader.read_line(number, split_words(line)); });
+    for_each_line(text, [&](std::uint64_t number, std::string_view line) {
+        reader.read_line(number, split_words(line.substr(0, line.find('!')), " \t\r,"));
+    });
     return reader.finish();
 }
 

@@ -27,8 +27,8 @@ void expect_same(const Database& database, const std::filesystem::path& file, co
     Database wanted(":memory:", Database::Mode::create_or_open);
     wanted.execute(kept_rows_schema);
     write_request(wanted, kept_rows_format, source, request);
-    for (const char* key :
-         {"scene", "scene_text", "tolerance", "relative", "drop", "level", "coverage", "seed", "max_samples"}) {
+    for (const char* key : {"scene", "scene_text", "tolerance", "relative", "drop", "surroundings", "level", "coverage",
+                            "seed", "max_samples"}) {
         const auto there = stored_value(database, kept_rows_format, key);
         const auto here = stored_value(wanted, kept_rows_format, key);
         if (there == here) continue;
@@ -38,7 +38,7 @@ void expect_same(const Database& database, const std::filesystem::path& file, co
             file.string(),
             std::string_view(key).starts_with("scene")
                 ? "the scene is another"
-                : fmt::format("its {} is {}, not {}", key, there.value_or("0"), here.value_or("0"))));
+                : fmt::format("its {} is {}, not {}", key, there.value_or("none"), here.value_or("none"))));
     }
 }
 

@@ -1,6 +1,7 @@
 #include "studies/form_factors/store/store.hpp"
 
 #include "core/support/contract.hpp"
+#include "studies/form_factors/added_faces.hpp"
 #include "studies/form_factors/repair.hpp"
 #include "studies/form_factors/store/stored_request.hpp"
 #include "studies/form_factors/words.hpp"
@@ -77,6 +78,7 @@ void write_about(const Database& database, const KeptMatrix& kept) {
     write("rays", integer(matrix.rays));
     write("lost_rays", integer(matrix.lost_rays));
     write("interrupted", integer(matrix.interrupted ? 1 : 0));
+    if (matrix.leak > 0) write("leak", matrix.leak);
     if (matrix.repaired) write("repair_possible", integer(matrix.repaired->possible ? 1 : 0));
 }
 
@@ -128,13 +130,11 @@ void write_pairs(const Database& database, const Matrix& matrix) {
     }
 }
 
-void write_repaired(const Database& database, const Eigen::MatrixXd& factors) {
+void write_repaired(const Database& database, const Matrix::Sparse& factors) {
     Statement insert(database.handle(), "INSERT INTO repaired VALUES(?, ?, ?)");
-    for (Eigen::Index i = 0; i < factors.rows(); ++i) {
-        for (Eigen::Index j = 0; j < factors.cols(); ++j) {
-            if (factors(i, j) == 0) continue;
-            insert.bind(0, std::int64_t{i + 1}).bind(1, std::int64_t{j + 1}).bind(2, factors(i, j)).run();
-        }
+    for (Eigen::Index i = 0; i < factors.outerSize(); ++i) {
+        for (Matrix::Sparse::InnerIterator entry(factors, i); entry; ++entry)
+            insert.bind(0, std::int64_t{i + 1}).bind(1, std::int64_t{entry.col() + 1}).bind(2, entry.value()).run();
     }
 }
 
@@ -157,7 +157,7 @@ class MatrixReader {
             stored_value(*database_, form_factor_format, "schema_version") != std::to_string(without_checksum);
         if (kept.was_checked) expect_checksums();
         std::tie(kept.source, kept.request) = read_request(about_);
-        kept.scene = make_scene(kept.source);
+        kept.scene = with_added_faces(make_scene(kept.source), kept.request.surroundings);
         read_matrix(kept.matrix);
         read_faces(kept.matrix, kept.scene);
         read_pairs(kept.matrix);
@@ -183,6 +183,7 @@ class MatrixReader {
         matrix.rays = about_.count("rays");
         matrix.lost_rays = about_.count("lost_rays");
         matrix.interrupted = about_.count("interrupted") != 0;
+        if (about_.has("leak")) matrix.leak = about_.real("leak");
     }
 
     void read_faces(Matrix& matrix, const Scene& scene) const {
@@ -250,13 +251,15 @@ class MatrixReader {
         if (!stored_value(*database_, form_factor_format, "repair_possible")) return;
         kept.request.repair = true;
         const auto n = static_cast<Eigen::Index>(kept.matrix.faces());
-        Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(n, n);
+        std::vector<Eigen::Triplet<double>> entries;
         Statement query(database_->handle(), "SELECT from_face, to_face, factor FROM repaired");
         while (query.step()) {
-            const auto i = static_cast<Eigen::Index>(face(query, 0, kept.matrix.faces()));
-            const auto j = static_cast<Eigen::Index>(face(query, 1, kept.matrix.faces()));
-            factors(i, j) = query.real(2);
+            const std::size_t from = face(query, 0, kept.matrix.faces());
+            const std::size_t to = face(query, 1, kept.matrix.faces());
+            entries.emplace_back(static_cast<int>(from), static_cast<int>(to), query.real(2));
         }
+        Matrix::Sparse factors(n, n);
+        factors.setFromTriplets(entries.begin(), entries.end());
         kept.matrix.repaired = compare_repaired(kept.matrix, std::move(factors), about_.count("repair_possible") != 0);
     }
 };

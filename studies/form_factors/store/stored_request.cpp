@@ -53,6 +53,7 @@ void write_request(const Database& database, const StoreFormat& format, const Sc
     write("tolerance", request.tolerance);
     if (request.relative > 0) write("relative", request.relative);
     if (request.drop > 0) write("drop", request.drop);
+    if (!request.surroundings.empty()) write("surroundings", std::string_view(request.surroundings));
     write("level", request.level);
     write("coverage", std::string_view(request.level_of == LevelOf::entry ? "entry" : "matrix"));
     write("seed", static_cast<std::int64_t>(request.seed.value));
@@ -66,6 +67,7 @@ std::pair<SceneSource, Request> read_request(const StoredKeys& keys) {
     request.tolerance = keys.real("tolerance");
     if (keys.has("relative")) request.relative = keys.real("relative");
     if (keys.has("drop")) request.drop = keys.real("drop");
+    if (keys.has("surroundings")) request.surroundings = keys.text("surroundings");
     request.level = keys.real("level");
     request.level_of = keys.text("coverage") == "entry" ? LevelOf::entry : LevelOf::matrix;
     request.seed = Seed{keys.count("seed")};

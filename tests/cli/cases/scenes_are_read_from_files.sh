@@ -57,7 +57,7 @@ refuse() {
     ffstudy run "$folder/study.toml" --out out
     expect_refused 2 "$2"
 }
-refuse a.obj "a.obj:4: corner 3 of face 'a' is vertex 9, of 2. Mend the index." <<<'v 0 0 0
+refuse a.obj "a.obj:4: corner 3 is vertex 9, of 2. Correct the index." <<<'v 0 0 0
 v 1 0 0
 g a
 f 1 2 9'

@@ -10,7 +10,7 @@ namespace {
 
 std::string sparse(const Eigen::MatrixXd& matrix, const std::string& comment) {
     std::ostringstream out;
-    write_sparse_matrix_market(out, matrix, comment);
+    write_sparse_matrix_market(out, matrix.sparseView(), comment);
     return out.str();
 }
 

@@ -84,7 +84,7 @@ void expect_equal(const Matrix& a, const Matrix& b) {
     }
     ASSERT_EQ(a.repaired.has_value(), b.repaired.has_value());
     if (!a.repaired) return;
-    EXPECT_EQ(a.repaired->factors, b.repaired->factors);
+    EXPECT_EQ(Eigen::MatrixXd(a.repaired->factors), Eigen::MatrixXd(b.repaired->factors));
     EXPECT_EQ(a.repaired->possible, b.repaired->possible);
     EXPECT_EQ(a.repaired->largest_change, b.repaired->largest_change);
     EXPECT_EQ(a.repaired->outside, b.repaired->outside);
@@ -229,8 +229,8 @@ TEST_F(FormFactorStore, IsReadWithoutATableOfDroppedPairs) {
 TEST_F(FormFactorStore, IsRepairedLaterExactlyAsDuringTheRun) {
     KeptMatrix plain = found(scene_source("nested_cubes"), false);
     save(plain);
-    EXPECT_EQ(repair(load_matrix(file()).matrix).factors,
-              found(scene_source("nested_cubes"), true).matrix.repaired->factors);
+    EXPECT_EQ(Eigen::MatrixXd(repair(load_matrix(file()).matrix).factors),
+              Eigen::MatrixXd(found(scene_source("nested_cubes"), true).matrix.repaired->factors));
 }
 
 TEST_F(FormFactorStore, IsRefusedIfItIsAnotherKindOfFile) {

@@ -213,7 +213,7 @@ TEST(FormFactors, AreRepairedToCloseWithinTheirIntervals) {
     EXPECT_LT(matrix.repaired->closure_after, 1e-12);
     EXPECT_LT(matrix.repaired->largest_change, 1e-3);
     const double exact = *known_form_factor(scene, 0, 2);
-    EXPECT_LT(std::abs(matrix.repaired->factors(0, 2) - exact), std::abs(factor(matrix, 0, 2) - exact) + 1e-3);
+    EXPECT_LT(std::abs(matrix.repaired->factors.coeff(0, 2) - exact), std::abs(factor(matrix, 0, 2) - exact) + 1e-3);
     EXPECT_THROW(find_matrix(built_in_scene("squares_blocked"), request), UserError) << "it is open";
 }
 

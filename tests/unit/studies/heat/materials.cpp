@@ -117,7 +117,7 @@ wall = { emissivity = 0.5, temperature = 400 }
 }
 
 TEST(Materials, BecomeFacesOnRequest) {
-    const auto [scene, said] = scene_of("tiles.obj", with_obj_comment(tiles_obj, faces_of_materials));
+    const auto [scene, said] = scene_of("tiles.obj", with_obj_comment(tiles_obj, "faces material"));
     EXPECT_THAT(scene.faces, testing::ElementsAre("brick", "steel", "glass"));
     EXPECT_EQ(scene.surfaces.size(), 4u);
 }

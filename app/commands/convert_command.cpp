@@ -1,0 +1,97 @@
+#include "app/commands/commands.hpp"
+#include "app/commands/form_factors/form_factor_run.hpp"
+#include "app/terminal/messages.hpp"
+
+#include "core/geometry/facets.hpp"
+#include "core/support/error.hpp"
+#include "reports/files/output_file.hpp"
+#include "reports/text/numbers.hpp"
+#include "studies/scene_files/scene_file.hpp"
+#include "studies/scene_files/scene_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace ff::app {
+namespace {
+
+/// A format that scenes are written in.
+struct SceneFormat {
+    std::string_view extension;
+    std::string (*text)(const Scene& scene);
+    bool holds_curves;
+};
+
+constexpr std::array scene_formats{SceneFormat{".obj", studies::obj_text, false},
+                                   SceneFormat{".vs3", studies::vs3_text, false},
+                                   SceneFormat{".toml", studies::toml_scene_text, true}};
+
+const SceneFormat& format_of(const std::filesystem::path& file) {
+    for (const SceneFormat& format : scene_formats) {
+        if (file.extension() == format.extension) return format;
+    }
+    throw UserError(
+        fmt::format("{}: its extension names no format that scenes are written in (.obj, .vs3, .toml). "
+                    "Choose one of them.",
+                    file.string()));
+}
+
+/// Names without blanks and marks that OBJ and View3D would take for something else.
+void make_words_of_names(Scene& scene) {
+    std::size_t changed = 0;
+    for (std::string& face : scene.faces) {
+        const std::string before = face;
+        std::replace_if(
+            face.begin(), face.end(),
+            [](char c) { return std::string_view(" \t#!,\\").find(c) != std::string_view::npos; }, '_');
+        const std::string word = face;
+        for (std::size_t k = 2; face != before && std::count(scene.faces.begin(), scene.faces.end(), face) > 1; ++k)
+            face = fmt::format("{}.{}", word, k);
+        changed += face != before ? 1U : 0U;
+    }
+    if (changed > 0)
+        say("note: blanks and special characters in {} were replaced by _.\n", reports::counted(changed, "name"));
+}
+
+}  // namespace
+
+ExitCode convert(const ConvertCommand& command) {
+    const SceneFormat& format = format_of(command.out);
+    if (command.facets && (*command.facets < 3 || *command.facets > 10000))
+        throw UserError(fmt::format("--facets {} (3 to 10000 polygons around a full turn). Try 32.", *command.facets));
+    Scene scene = prepare_form_factors(command.scene).scene;
+    studies::expect_no_masks(scene);
+    if (!command.scene.quiet) {
+        for (const std::string& note : studies::examine_scene(scene).notes) say("note: {}\n", note);
+    }
+    if (command.facets) {
+        FacetedScene faceted = with_facets(scene, *command.facets);
+        scene = std::move(faceted.scene);
+        if (faceted.curved > 0)
+            say("note: {} became polygons that are off by at most {}.\n",
+                reports::counted(faceted.curved, "curved surface"), reports::brief(faceted.deviation, 3));
+    }
+    if (!format.holds_curves) {
+        make_words_of_names(scene);
+        if (!studies::is_of_polygons(scene))
+            throw UserError(
+                fmt::format("{}: scene '{}' has curved surfaces ({} holds polygons only). Add --facets 32, "
+                            "or write .toml.",
+                            command.out.string(), scene.name, format.extension));
+    }
+    if (format.extension == ".vs3" && !command.scene.quiet)
+        say("note: emissivities are not converted; they are 0.5 in {}.\n", command.out.string());
+    reports::write_file(command.out, [&](std::ostream& out) { out << format.text(scene); });
+    if (!command.scene.quiet)
+        fmt::print("{}: {} of {}\n", command.out.string(), reports::counted(scene.faces.size(), "face"),
+                   reports::counted(scene.surfaces.size(), "surface"));
+    return ExitCode::passed;
+}
+
+}  // namespace ff::app

@@ -1,0 +1,150 @@
+#include "app/commands/form_factors/sensor_factors.hpp"
+
+#include "app/commands/form_factors/form_factor_run.hpp"
+#include "app/folders/output_folder.hpp"
+#include "app/terminal/messages.hpp"
+#include "app/terminal/terminal_style.hpp"
+
+#include "core/support/error.hpp"
+#include "core/support/words.hpp"
+#include "reports/csv/csv_field.hpp"
+#include "reports/text/numbers.hpp"
+#include "reports/text/text_table.hpp"
+#include "studies/form_factors/point_factors.hpp"
+#include "studies/readers/csv_reader.hpp"
+#include "studies/readers/text_file.hpp"
+#include "studies/run/parallel.hpp"
+#include "studies/scene_files/scene_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::app {
+namespace {
+
+using Eigen::Vector3d;
+using studies::form_factors::PointFactor;
+
+constexpr std::string_view before_point = "point:";
+constexpr std::array<std::string_view, 6> columns_of_sensors{"x", "y", "z", "nx", "ny", "nz"};
+constexpr std::size_t most_shown = 8;  // points; more are only in the file
+
+struct Sensor {
+    Vector3d place, normal;
+};
+
+/// @throws UserError where the normal has no direction
+Sensor sensor_of(const std::array<double, 6>& numbers, std::string_view where) {
+    const Sensor sensor{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
+    if (sensor.normal.stableNorm() > 0) return sensor;
+    throw UserError(fmt::format("{}: its normal is 0 (it faces nowhere). Write a direction, such as 0,0,1.", where));
+}
+
+std::vector<Sensor> read_sensors(const std::string& from) {
+    std::array<double, 6> numbers{};
+    if (from.starts_with(before_point)) {
+        const auto parts = split_at(',', std::string_view(from).substr(before_point.size()));
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            const auto value = parts.size() == numbers.size() ? finite_number(trimmed(parts[k])) : std::nullopt;
+            if (!value)
+                throw UserError(
+                    fmt::format("--from {} (six numbers are wanted: a place and a normal). Write "
+                                "point:0.5,0.5,1,0,0,1.",
+                                from));
+            numbers[k] = *value;
+        }
+        return {sensor_of(numbers, "--from " + from)};
+    }
+    const std::string text = studies::read_bytes(from);
+    studies::CsvReader reader(text, from);
+    std::vector<studies::CsvField> record;
+    if (!reader.next(record))
+        throw UserError(fmt::format("{}: no points. Write x,y,z,nx,ny,nz and a line each.", from));
+    const auto columns = studies::find_columns(reader, record, columns_of_sensors);
+    std::vector<Sensor> sensors;
+    while (reader.next(record)) {
+        for (std::size_t k = 0; k < numbers.size(); ++k) {
+            if (!columns[k])
+                throw UserError(fmt::format("{}: column {} is missing. Write x,y,z,nx,ny,nz and a line for each point.",
+                                            from, columns_of_sensors[k]));
+            const auto value =
+                *columns[k] < record.size() ? finite_number(trimmed(record[*columns[k]].text)) : std::nullopt;
+            if (!value)
+                reader.fail(record[std::min(*columns[k], record.size() - 1)],
+                            fmt::format("{} is no number. Write one.", columns_of_sensors[k]));
+            numbers[k] = *value;
+        }
+        sensors.push_back(sensor_of(numbers, fmt::format("{}:{}", from, record.front().line)));
+    }
+    if (sensors.empty()) throw UserError(fmt::format("{}: no points. Write a line for each.", from));
+    return sensors;
+}
+
+std::string half_of(const PointFactor& factor) {
+    return reports::to_error(factor.value, std::max(factor.high - factor.value, factor.value - factor.low));
+}
+
+void print_factors(const Scene& scene, const std::vector<std::vector<PointFactor>>& factors) {
+    reports::Table table{"sensors", "", "", {{"point", true, {}}, {"to face", false, {}}, {"factor", true, {}}},
+                         {},        {}};
+    for (std::size_t point = 0; point < std::min(most_shown, factors.size()); ++point) {
+        for (std::size_t face = 0; face < scene.faces.size(); ++face) {
+            if (factors[point][face].high == 0) continue;
+            table.rows.push_back({reports::plain_cell(std::to_string(point + 1)),
+                                  reports::plain_cell(scene.faces[face]),
+                                  reports::plain_cell(half_of(factors[point][face]))});
+        }
+    }
+    fmt::print("{}", reports::text_table(table, style_of_stdout()));
+    if (factors.size() > most_shown)
+        fmt::print("The first {} points, of {}; all are in points.csv of --out.\n", most_shown, factors.size());
+}
+
+void write_factors(std::ostream& out, const Scene& scene, const std::vector<Sensor>& sensors,
+                   const std::vector<std::vector<PointFactor>>& factors) {
+    out << "point,x,y,z,nx,ny,nz,to,factor,low,high\n";
+    for (std::size_t point = 0; point < sensors.size(); ++point) {
+        const auto& [place, normal] = sensors[point];
+        for (std::size_t face = 0; face < scene.faces.size(); ++face) {
+            const PointFactor& factor = factors[point][face];
+            if (factor.high == 0) continue;
+            out << fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", point + 1, reports::exact(place.x()),
+                               reports::exact(place.y()), reports::exact(place.z()), reports::exact(normal.x()),
+                               reports::exact(normal.y()), reports::exact(normal.z()),
+                               reports::csv_field(scene.faces[face]), reports::exact(factor.value),
+                               reports::exact(factor.low), reports::exact(factor.high));
+        }
+    }
+}
+
+}  // namespace
+
+ExitCode sensor_factors(const FormFactorsCommand& command) {
+    const auto kept = prepare_form_factors(command);
+    studies::expect_no_masks(kept.scene);
+    const std::vector<Sensor> sensors = read_sensors(command.from);
+    const studies::form_factors::PointFactors finder(kept.scene);
+    const studies::SceneDoubts doubts = studies::examine_scene(kept.scene);
+    if (!command.quiet) {
+        for (const std::string& note : doubts.notes) say("note: {}\n", note);
+    }
+    for (const std::string& fault : doubts.faults) say("warning: {}\n", fault);
+    std::optional<OutputFolder> out;
+    if (!command.out.empty()) out.emplace(command.out, "points", std::vector<std::string>{"points.csv"});
+    std::vector<std::vector<PointFactor>> factors(sensors.size());
+    studies::for_each_index(sensors.size(), kept.request.threads, [&](std::uint64_t point) {
+        factors[point] = finder.from(sensors[point].place, sensors[point].normal);
+    });
+    if (!command.quiet) print_factors(kept.scene, factors);
+    if (out) out->write("points.csv", [&](std::ostream& file) { write_factors(file, kept.scene, sensors, factors); });
+    return doubts.faults.empty() ? ExitCode::passed : ExitCode::inconclusive;
+}
+
+}  // namespace ff::app

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "studies/form_factors/form_factors.hpp"
+
+#include <string>
+
+namespace ff::studies::form_factors {
+
+/// @throws UserError where a scene is closed, so that nothing leaves it, or has a face of that name
+void expect_surroundings(const Scene& scene, const std::string& name);
+
+/// The scene with the faces that its matrix has beside those with a shape: its masks, and the surroundings if they are
+/// given a name, which close it.
+Scene with_added_faces(Scene scene, const std::string& surroundings);
+
+/// Adds the masks of a scene to a matrix of its faces.
+void add_masks(Matrix& matrix, const Scene& scene);
+
+/// Adds a face that receives what leaves: what is missing of each row's sum, with an interval of that width, which is
+/// not held to the tolerance of entries. The face sees nothing of itself, and has the area with which its row adds up
+/// to 1.
+void add_surroundings(Matrix& matrix);
+
+}  // namespace ff::studies::form_factors

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "core/geometry/placement.hpp"
+#include "core/geometry/scene.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <cstddef>
+#include <vector>
+
+namespace ff::studies::form_factors {
+
+/// A factor with an interval.
+struct PointFactor {
+    double value = 0;
+    double low = 0;
+    double high = 0;
+};
+
+/// Form factors from an element of area, as of a sensor, to the faces of a scene: exact but for rounding, since of
+/// every polygon the part that is seen past all others is found.
+class PointFactors {
+  public:
+    /// @throws UserError where a surface is curved
+    explicit PointFactors(const Scene& scene);
+
+    /// @param place  in the scene's unit of length @param normal  of any length, > 0 @return by face
+    [[nodiscard]] std::vector<PointFactor> from(const Eigen::Vector3d& place, const Eigen::Vector3d& normal) const;
+
+  private:
+    Placement placement_;
+    Scene scene_;
+    std::vector<Eigen::AlignedBox3d> boxes_;       ///< around its surfaces
+    double gap_ = 0;                               ///< what is nearer to a plane lies in it
+    std::vector<std::vector<std::size_t>> level_;  ///< by surface: others that lie over it in its plane
+};
+
+}  // namespace ff::studies::form_factors

@@ -1,0 +1,47 @@
+#include "studies/scene_files/polygon_changes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace ff::studies {
+namespace {
+
+constexpr std::size_t most_lines_named = 3;
+
+/// What is said of one polygon, and of several.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> words_of_changes{{
+    {"has no area and is left out", "have no area and are left out"},
+    {"is given twice and is left out once", "are given twice and are left out once"},
+    {"is not plane and is divided into triangles", "are not plane and are divided into triangles"},
+    {"is not convex and is divided into triangles", "are not convex and are divided into triangles"},
+    {"is wound in the opposite direction to the rest of its face and is turned round",
+     "are wound in the opposite direction to the rest of their faces and are turned round"},
+}};
+
+}  // namespace
+
+void PolygonChanges::note(PolygonChange change, std::uint64_t line) {
+    lines_.at(static_cast<std::size_t>(change)).push_back(line);
+}
+
+std::vector<std::string> PolygonChanges::in_words() const {
+    std::vector<std::string> texts;
+    for (std::size_t kind = 0; kind < kinds; ++kind) {
+        std::vector<std::uint64_t> lines = lines_[kind];
+        if (lines.empty()) continue;
+        std::sort(lines.begin(), lines.end());
+        const std::size_t count = lines.size();
+        lines.resize(std::min(count, most_lines_named));
+        const auto& [one, many] = words_of_changes[kind];
+        std::string text = count == 1 ? fmt::format("a polygon {} (line {}", one, lines[0])
+                                      : fmt::format("{} polygons {} (lines {}", count, many, fmt::join(lines, ", "));
+        if (count > most_lines_named) text += fmt::format(" and {} more", count - most_lines_named);
+        texts.push_back(text + ")");
+    }
+    return texts;
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/geometry/convex_polygon.hpp"
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ff::studies {
+
+/// A surface of a View3D file as a line describes it.
+struct Vs3Surface {
+    char kind = 'S';  ///< S radiates, O is in the way, M masks a part of its base, N takes it away
+    std::uint64_t line = 0;
+    long number = 0;
+    long base = 0;      ///< number of the surface that it lies on; 0: none
+    long combined = 0;  ///< number of the surface whose face it belongs to; 0: it is a face of its own
+    std::optional<double> emissivity;
+    std::string name;
+    ConvexPolygon corners;
+
+    [[nodiscard]] Eigen::Vector3d normal() const;
+};
+
+/// A shape of format 3a: its kind, and numbers that follow on lines of their own.
+struct Vs3Shape {
+    char kind = 'R';  ///< rectangle, triangle (T) or quadrilateral (Q)
+    /// Origin, azimuth (of the direction that it faces, clockwise from y) and tilt (0: it faces upwards) in degrees,
+    /// then width and height of a rectangle, or x and y of each corner in its plane.
+    std::vector<double> numbers;
+
+    /// How many numbers belong to it.
+    [[nodiscard]] std::size_t wanted() const;
+    /// @pre all numbers are there
+    [[nodiscard]] ConvexPolygon corners() const;
+};
+
+/// What is wrong with a part that lies on a base, as a verb and what goes before the base's name; empty: nothing. A
+/// part lies within its base, and faces the same way where it radiates, the other way where it faces the base.
+std::string problem_on_base(const Vs3Surface& part, const Vs3Surface& base);
+
+/// Whether two parts of a base cover a part of each other.
+bool overlap(const Vs3Surface& base, const Vs3Surface& a, const Vs3Surface& b);
+
+/// What parts that lie on it leave of a surface, in convex pieces.
+std::vector<ConvexPolygon> left_of_base(const Vs3Surface& base, const std::vector<const Vs3Surface*>& parts);
+
+}  // namespace ff::studies

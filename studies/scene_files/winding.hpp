@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/geometry/scene.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace ff::studies {
+
+/// Surfaces of a face that face the other way than the rest of it, as where some of its triangles are wound the other
+/// way: neighbours run through their common edge in the same direction.
+struct Winding {
+    std::vector<std::size_t>
+        turned;                  ///< surfaces that are to be turned round, so that each part of a face is of one side
+    std::vector<int> undecided;  ///< faces of which as much faces one way as the other, and nothing tells which
+};
+
+/// Of polygons that are joined by edges with exactly two of them, those with the smaller area are turned; where both
+/// have the same, those that then see more of other faces.
+Winding find_winding(const Scene& scene);
+
+/// Two faces that run through a common edge in the same direction: one of them may face the wrong way.
+std::vector<std::pair<int, int>> faces_wound_differently(const Scene& scene);
+
+}  // namespace ff::studies

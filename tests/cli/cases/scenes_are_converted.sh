@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# A scene is the same in every format that can hold it; round surfaces become polygons on request only.
+root=$(cd "$(dirname "$0")/../../.." && pwd)
+source "$(dirname "$0")/../harness.sh"
+
+blocks obj "$root/docs/scenes.md" >furnace.obj
+ffstudy form_factors furnace.obj --tolerance 1e-3 --out 0 --quiet
+expect_status 0
+before=furnace.obj
+for next in 1.vs3 2.toml 3.obj; do
+    ffstudy convert $before $next
+    expect_status 0
+    expect_stdout "$next: 7 faces of 18 surfaces"
+    ffstudy form_factors $next --tolerance 1e-3 --out $next.out --quiet
+    expect_status 0
+    expect_equal_files 0/matrix.csv $next.out/matrix.csv
+    before=$next
+done
+
+# Of a unit sphere in a larger one with 64 facets around: all of the inner one's radiation reaches the outer one.
+cat >spheres.toml <<'END'
+closed = true
+[[surface]]
+face = "inner sphere"
+shape = "sphere"
+centre = [0, 0, 0]
+radius = 1
+facing = "outward"
+[[surface]]
+face = "outer"
+shape = "sphere"
+centre = [0, 0, 0]
+radius = 2
+facing = "inward"
+END
+ffstudy convert spheres.toml spheres.obj
+expect_status 2
+expect_stderr "has curved surfaces"
+expect_stderr "Add --facets 32"
+[ ! -e spheres.obj ] || fail "expected no file"
+ffstudy convert spheres.toml spheres.obj --facets 12
+expect_status 0
+expect_stderr "2 curved surfaces became polygons that are off by at most 0.136"
+expect_stderr "special characters in 1 name were replaced by _"
+ffstudy form_factors spheres.obj --tolerance 1e-2 --out spheres --quiet
+expect_status 0
+awk -F, '$1 == "inner_sphere" && $2 == "outer" {found = $3 > 0.99 && $3 < 1.01} END {exit !found}' spheres/matrix.csv ||
+    fail "unexpected: $(cat spheres/matrix.csv)"
+ffstudy convert spheres.toml spheres.png
+expect_status 2
+expect_stderr "names no format that scenes are written in"
+ffstudy convert spheres.toml spheres.obj --facets 2
+expect_status 2
+expect_stderr "--facets 2"
