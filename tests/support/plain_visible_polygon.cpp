@@ -39,8 +39,12 @@ SmallPolygon part_of(const SmallPolygon& polygon, const Height& height) {
 }
 
 /// Takes the part where normal * v < 0 off a convex polygon. @return whether there is one; what is left may be empty
-bool cut(SmallPolygon& polygon, const Vector3d& normal) {
-    const auto height = [&](const Vector3d& v) { return normal.dot(v); };
+/// @param room  corners no farther than this from the plane lie in it
+bool cut(SmallPolygon& polygon, const Vector3d& normal, double room = 0) {
+    const auto height = [&](const Vector3d& v) {
+        const double above = normal.dot(v);
+        return std::abs(above) <= room ? 0 : above;
+    };
     if (std::none_of(polygon.begin(), polygon.end(), [&](const Vector3d& v) { return height(v) < 0; })) return false;
     polygon = part_of(polygon, height);
     return true;
@@ -63,6 +67,15 @@ double factor_of(const SmallPolygon& polygon, const Vector3d& normal) {
         if (sine > 0) sum += std::atan2(sine, a.dot(b)) * across.dot(normal) / sine;
     }
     return sum / (2 * std::numbers::pi);
+}
+
+/// What touches a plane may lie a little behind it by rounding. Cut off there, it would get an edge between two corners
+/// that are one, which runs any way.
+void cut_at_plane(SmallPolygon& polygon, const Vector3d& normal) {
+    constexpr double rounding = 1e-13;
+    double farthest = 0;
+    for (const Vector3d& corner : polygon) farthest = std::max(farthest, corner.norm());
+    cut(polygon, normal, rounding * farthest);
 }
 
 /// Room for the rounding of a triple product, relative to the lengths of its factors.
@@ -132,7 +145,7 @@ PlainVisiblePolygon::PlainVisiblePolygon(const Surface& target, const std::vecto
     for (const Blocker& blocker : blockers) {
         FF_EXPECT(!corners(blocker.surface->shape).empty());
         SmallPolygon part = seen_from(origin, outline(*blocker.surface));
-        cut(part, target_normal_);
+        cut_at_plane(part, target_normal_);
         std::vector<Vector3d>& kept = blockers_.emplace_back();
         for (const Vector3d& corner : part) kept.emplace_back(origin + corner);
     }
@@ -148,14 +161,14 @@ PlainVisiblePolygon::Factors PlainVisiblePolygon::from(const Vector3d& place, co
                                                        std::span<const std::uint32_t> blockers) const {
     if (target_normal_.dot(target_.front() - place) >= 0) return {};
     SmallPolygon whole = seen_from(place, target_);
-    cut(whole, normal);
+    cut_at_plane(whole, normal);
     if (whole.empty()) return {};
     const SmallPolygon cone = sides_of(whole);
     boost::container::small_vector<SmallPolygon, 4> shadows;
     for (const std::uint32_t index : blockers) {
-        SmallPolygon blocker = seen_from(place, blockers_[index]);
+        // What of it is below the horizon hides nothing either, so that it need not be cut off.
+        const SmallPolygon blocker = seen_from(place, blockers_[index]);
         if (is_outside(blocker, cone)) continue;
-        cut(blocker, normal);
         SmallPolygon sides = sides_of(blocker);
         if (!sides.empty() && !is_outside(whole, sides)) shadows.push_back(std::move(sides));
     }

@@ -5,6 +5,7 @@
 #include "studies/gates/gate_experiment.hpp"
 #include "studies/verdicts/bands_file.hpp"
 #include "tests/validation/form_factors/coverage.hpp"
+#include "tests/validation/form_factors/facet_coverage.hpp"
 #include "tests/validation/gates/selftest.hpp"
 #include "tests/validation/heat/coverage.hpp"
 #include "tests/validation/markdown.hpp"
@@ -31,17 +32,20 @@ constexpr std::string_view help =
     R"(usage: ffstudy-validate gates [--seeds N] [--repetitions N] [--seed S] [--threads T] [--out DIR]
        ffstudy-validate form_factors [--seeds N] [--tolerance T] [--scene A,B] [--seed S] [--threads T] [--out DIR]
        ffstudy-validate heat          with the same options
+       ffstudy-validate facets [--seeds N] [--pairs N] [--scenes SIZE] [--seed S] [--threads T] [--out DIR]
 
 Measures how often the verdicts of gates, the intervals of form factors and the limits of heat flows err, and prints a
 summary in Markdown; exit code 1 where a claim does not hold.
 
-  --seeds N        seeds that every control or scene is computed with (default: 200)
+  --seeds N        seeds that every control or scene is computed with (default: 200; of facets 100)
   --repetitions N  of every rate on made-up trials (default: 20000)
   --tolerance T    of the form factors (default: 0.004)
   --scene A,B      scenes of the catalogue (default: all of them, and random ones)
+  --pairs N        of facets of each method, in each scene and at each tolerance (default: 1600)
+  --scenes SIZE    of facets: large (default), or small with coarse references
   --seed S         the first seed (default: 1)
   --threads T      results do not depend on them (default: all cores)
-  --out DIR        folder for gates.md, form_factors.md or heat.md, the tables of all rates (default: none is written)
+  --out DIR        folder for gates.md, form_factors.md, heat.md or facets.md, the tables of all rates (default: none is written)
 )";
 
 /// What follows the first argument: options, each with a value. Those that are read are forgotten.
@@ -113,6 +117,17 @@ form_factors::FormFactorCoverageOptions coverage_options(Options given) {
     return options;
 }
 
+form_factors::FacetCoverageOptions facet_options(Options given) {
+    form_factors::FacetCoverageOptions options;
+    const std::string scenes = given.text("--scenes");
+    if (!scenes.empty() && scenes != "small" && scenes != "large")
+        throw UserError(fmt::format("--scenes {} (there are large and small ones). See --help.", scenes));
+    if (scenes == "small") options = form_factors::small_facets();
+    given.read<std::size_t>("--pairs", options.pairs, 1, 1'000'000);
+    read_last(given, options);
+    return options;
+}
+
 /// Prints the summary of what was measured, and writes the tables where they are wanted. Returns the exit code.
 /// @param file  empty: they are not
 template <class Measured>
@@ -136,7 +151,8 @@ int validate(const std::string& what, Options given) {
     if (what == "form_factors")
         return conclude(form_factors::measure_form_factor_coverage(coverage_options(given)), file);
     if (what == "heat") return conclude(heat::measure_flow_coverage(coverage_options(given)), file);
-    throw UserError(fmt::format("{} (only gates, form_factors and heat are validated). See --help.", what));
+    if (what == "facets") return conclude(form_factors::measure_facet_coverage(facet_options(given)), file);
+    throw UserError(fmt::format("{} (only gates, form_factors, heat and facets are validated). See --help.", what));
 }
 
 int fail(int code, std::string_view message) {

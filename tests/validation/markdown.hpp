@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tests/validation/form_factors/coverage.hpp"
+#include "tests/validation/form_factors/facet_coverage.hpp"
 #include "tests/validation/gates/selftest.hpp"
 #include "tests/validation/heat/coverage.hpp"
 
@@ -16,6 +17,7 @@ struct Pages {
 
 Pages markdown(const gates::Selftest& selftest);
 Pages markdown(const form_factors::FormFactorCoverage& coverage);
+Pages markdown(const form_factors::FacetCoverage& coverage);
 Pages markdown(const heat::FlowCoverage& coverage);
 
 }  // namespace ff::studies
