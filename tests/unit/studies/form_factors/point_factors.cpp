@@ -15,6 +15,12 @@ namespace {
 
 using Eigen::Vector3d;
 
+Request finely() {
+    Request request;
+    request.tolerance = 1e-7;
+    return request;
+}
+
 /// From an element of area that faces a corner of a rectangle a x b at a distance of 1, parallel to it [howell].
 double to_corner(double a, double b) {
     const double x = std::sqrt(1 + a * a), y = std::sqrt(1 + b * b);
@@ -45,7 +51,7 @@ TEST(PointFactors, AreThoseOfTheFormula) {
 // The mean over a face is the form factor, past what stands in between as well.
 TEST(PointFactors, HaveTheFormFactorAsTheirMean) {
     const Scene scene = built_in_scene("nested_cubes");
-    const Matrix matrix = find_matrix(scene, {.tolerance = 1e-7});
+    const Matrix matrix = find_matrix(scene, finely());
     const PointFactors finder(scene);
     const auto& wall = std::get<Parallelogram>(scene.surfaces[0].shape);
     std::vector<double> means(scene.faces.size());

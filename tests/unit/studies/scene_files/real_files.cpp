@@ -26,8 +26,14 @@ Scene read_cube(const std::string& rest) {
     return read_real("a.obj", cube_vertices + rest);
 }
 
+form_factors::Request request_within_a_millionth() {
+    form_factors::Request request;
+    request.tolerance = 1e-6;
+    return request;
+}
+
 double factor_of(const Scene& scene, std::size_t from, std::size_t to) {
-    const auto matrix = form_factors::find_matrix(scene, {.tolerance = 1e-6});
+    const auto matrix = form_factors::find_matrix(scene, request_within_a_millionth());
     return matrix.exchange(from, to).value / matrix.areas[from];
 }
 
@@ -182,7 +188,7 @@ TEST(RealVs3Files, TakeNullSurfacesAway) {
 TEST(RealVs3Files, MaskPartsOfTheirBases) {
     const Scene scene = read_room("C encl=1\nM 7 12 11 10 9 1 0 0.8 box\n");
     ASSERT_EQ(scene.masks.size(), 1u);
-    const auto matrix = form_factors::find_matrix(scene, {.tolerance = 1e-6});
+    const auto matrix = form_factors::find_matrix(scene, request_within_a_millionth());
     ASSERT_EQ(matrix.faces(), 7u);
     EXPECT_DOUBLE_EQ(matrix.areas[0], 12);
     EXPECT_EQ(matrix.exchange(0, 6).value, 1);
