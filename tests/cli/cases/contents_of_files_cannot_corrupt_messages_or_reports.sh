@@ -59,7 +59,7 @@ ffstudy form_factors "$folder/closed.obj" --tolerance 0.01
 expect_stderr "though the scene is said to be closed"
 
 # Indices that the loader would wrap, cut or take for others.
-for corner in 9223372036854775808 4294967297 1.5 0 1x 1//2/3 '#' 1/0; do
+for corner in 9223372036854775808 4294967297 1.5 0 1x 1//2/3 x# 1/0; do
     sed "s|^f 1 2 3|f 1 2 $corner|" "$folder/signs.obj" >"$folder/corner.obj"
     ffstudy form_factors "$folder/corner.obj"
     expect_refused 2 "corner.obj:9: corner 3 is '$corner' (vertices count from 1, or back from -1). Write f 1 2 3."

@@ -68,7 +68,8 @@ TEST(Surroundings, ReceiveWhatIsNotDroppedEither) {
     EXPECT_NEAR(leaves.value / matrix.areas[0] + matrix.rows[0].dropped.value, 1, 1e-15);
 }
 
-TEST(Surroundings, AreRefusedWhereNothingLeavesOrTheNameIsTaken) {
+TEST(Surroundings, AreRefusedWhereNothingLeavesOrTheNameCannotBeUsed) {
+    for (const char* name : {"x|y", "=1+1", "two\nlines"}) EXPECT_THROW(matrix_with(name), UserError) << name;
     EXPECT_THROW(find_matrix(built_in_scene("cube"), request_with("sky")), UserError);
     EXPECT_THROW(matrix_with(built_in_scene("squares_blocked").faces.front()), UserError);
 }

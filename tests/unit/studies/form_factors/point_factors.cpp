@@ -90,6 +90,17 @@ TEST(PointFactors, HoldWhereverThePointIs) {
     for (const PointFactor& factor : finder.from({1000000.5, 0.5, 2}, {0, 0, 1})) EXPECT_EQ(factor.high, 0);
 }
 
+// Near to a wall in a room whose coordinates have few digits, and with a normal of any length.
+TEST(PointFactors, SeeWhatIsNear) {
+    const std::string room =
+        "# closed\nv 0 0 0\nv 116.123 0 0\nv 116.123 104.237 0\nv 0 104.237 0\nv 0 0 103.519\nv 116.123 0 103.519\n"
+        "v 116.123 104.237 103.519\nv 0 104.237 103.519\ng floor\nf 1 2 3 4\ng roof\nf 5 8 7 6\ng south\nf 1 5 6 2\n"
+        "g east\nf 2 6 7 3\ng north\nf 3 7 8 4\ng west\nf 4 8 5 1\n";
+    const PointFactors finder(make_scene(source_of_file("a.obj", room)));
+    for (const double length : {1e-200, 1.0, 1e300})
+        EXPECT_GT(finder.from({50, 0.005, 50}, {0, -length, 0})[2].value, 0.999999) << length;
+}
+
 TEST(PointFactors, AreRefusedForCurvedSurfaces) {
     EXPECT_THROW(PointFactors(built_in_scene("coaxial_discs")), UserError);
 }

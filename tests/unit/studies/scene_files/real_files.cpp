@@ -3,9 +3,11 @@
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 #include <string>
 
@@ -103,7 +105,74 @@ TEST(RealObjFiles, HaveTwoSidedPlates) {
     EXPECT_EQ(factor_of(scene, 0, 2), 0);
 }
 
+/// Two rooms side by side, each closed, with a wall between them that has a side for each.
+std::string two_rooms(bool halved) {
+    std::string text = "# closed\n";
+    for (const int x : {0, 1, 2}) {
+        for (const char* yz : {"0 0", "1 0", "1 1", "0 1", "0.5 0", "0.5 1"}) text += fmt::format("v {} {}\n", x, yz);
+    }
+    const auto room = [&](char name, int low) {  // first vertex of its western end
+        const int a = 1 + low, b = 7 + low;
+        text += fmt::format("g {0}floor\nf {1} {2} {3} {4}\n", name, a, b, b + 1, a + 1);
+        text += fmt::format("g {0}roof\nf {1} {2} {3} {4}\n", name, a + 3, a + 2, b + 2, b + 3);
+        text += fmt::format("g {0}south\nf {1} {2} {3} {4}\n", name, a, a + 3, b + 3, b);
+        text += fmt::format("g {0}north\nf {1} {2} {3} {4}\n", name, a + 1, b + 1, b + 2, a + 2);
+        text += fmt::format("g {0}west\nf {1} {2} {3} {4}\n", name, a, a + 1, a + 2, a + 3);
+        text += fmt::format("g {}east\n", name);
+        if (halved && name == 'A')
+            text += fmt::format("f {} {} {} {}\nf {} {} {} {}\n", b, b + 3, b + 5, b + 4, b + 4, b + 5, b + 2, b + 1);
+        else
+            text += fmt::format("f {} {} {} {}\n", b, b + 3, b + 2, b + 1);
+    };
+    room('A', 0);
+    room('B', 6);
+    return text;
+}
+
+// What rises at its rims are the rooms, not the sides of a body that stands on it.
+TEST(RealObjFiles, HaveThinWallsBetweenRooms) {
+    for (const bool halved : {false, true}) {
+        const Scene scene = read_real("a.obj", two_rooms(halved));
+        ASSERT_EQ(scene.faces.size(), 12u);
+        EXPECT_THAT(scene.covered, IsEmpty());
+        const auto matrix = form_factors::find_matrix(scene, request_within_a_millionth());
+        for (std::size_t a = 0; a < 6; ++a) {
+            EXPECT_NEAR(matrix.rows[a].value, 1, 1e-9);
+            for (std::size_t b = 6; b < 12; ++b) EXPECT_LT(matrix.exchange(a, b).high, 1e-13);
+        }
+    }
+}
+
+// However short the edges that turn back are; and what turns round twice is a star.
+TEST(RealObjFiles, HaveConcavePolygonsOfManyCorners) {
+    for (const int corners : {40, 1000}) {
+        std::string text, polygon = "f";
+        for (int k = 0; k < 2 * corners; ++k) {
+            const bool back = k >= corners;
+            const double angle = std::numbers::pi * (back ? k - corners : corners - k) / corners;
+            text += fmt::format("v {} {} 0\n", (back ? 0.5 : 1) * std::sin(angle), std::cos(angle));
+            polygon += fmt::format(" {}", k + 1);
+        }
+        const Scene scene = read_real("a.obj", text + polygon + "\n");
+        EXPECT_THAT(scene.remarks, ElementsAre(HasSubstr("is not convex")));
+        EXPECT_NEAR(face_area(scene, 0), std::numbers::pi / 4, 4.0 / corners / corners) << corners;
+    }
+    std::string star;
+    for (int k = 0; k < 5; ++k)
+        star += fmt::format("v {} {} 0\n", std::cos(0.8 * std::numbers::pi * k), std::sin(0.8 * std::numbers::pi * k));
+    EXPECT_THROW(read_real("a.obj", star + "f 1 2 3 4 5\n"), UserError);
+}
+
+TEST(RealObjFiles, HaveObjectsThatAreOccludersAndNamesWithBlanks) {
+    const Scene scene = read_cube(
+        "o occluder\ng wall\nf 1 2 3 4 # a comment\no room\nusemtl white paint\nf 5 8 7 6\n"
+        "usemtl white brick\nf 1 5 6 2\n# faces material\n");
+    EXPECT_THAT(scene.faces, ElementsAre("white paint", "white brick"));
+    EXPECT_EQ(scene.surfaces[0].face, no_face);
+}
+
 TEST(RealObjFiles, MayCallAFaceAll) {
+    EXPECT_THAT(read_cube("g all\nf 1 2 3 4\ng all.2\nf 5 8 7 6\n").faces.size(), 2u) << "they stay apart";
     const Scene scene = read_cube("g all\nf 1 2 3 4\ng sum\nf 5 8 7 6\n");
     EXPECT_THAT(scene.faces, ElementsAre("all.2", "sum.2"));
     EXPECT_EQ(scene.remarks.size(), 2u);
@@ -142,6 +211,21 @@ TEST(Winding, IsLeftAloneOnBodiesAndThinPlates) {
     EXPECT_THAT(scene.remarks, IsEmpty());
     EXPECT_EQ(scene.surfaces[0].normal.z(), 1);
     EXPECT_EQ(scene.surfaces[1].normal.z(), -1);
+}
+
+// Four sides meet at an edge of two bodies that touch there, two of each face: they are right as they are.
+TEST(Winding, IsLeftAloneWhereBodiesTouch) {
+    const Scene scene = read_real("a.obj",
+                                  "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 1 0\nv 2 2 0\nv 1 2 0\n"
+                                  "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv 2 1 1\nv 2 2 1\nv 1 2 1\n"
+                                  "g ew\nf 2 3 10 9\nf 4 1 8 11\nf 5 6 13 12\nf 7 3 10 14\n"
+                                  "g ns\nf 1 2 9 8\nf 3 4 11 10\nf 3 5 12 10\nf 6 7 14 13\n");
+    EXPECT_THAT(scene.remarks, IsEmpty());
+}
+
+TEST(Winding, IsFoundBehindDoubles) {
+    const Scene scene = read_cube("g low\nf 1 2 3\nf 1 2 3\nf 3 1 4\nf 1 4 3\nf 1 4 3\ng high\nf 5 8 7 6\n");
+    for (std::size_t s = 0; s < 2; ++s) EXPECT_EQ(scene.surfaces[s].normal.z(), 1) << s;
 }
 
 TEST(Winding, OfTwoFacesIsDoubtedInOpenScenes) {
@@ -198,6 +282,16 @@ TEST(RealVs3Files, MaskPartsOfTheirBases) {
     EXPECT_LT(matrix.rows[1].value, 0.99) << "it sees the back of the mask";
     EXPECT_FALSE(scene.closed);
     EXPECT_THROW(expect_no_masks(scene), UserError);
+}
+
+TEST(RealVs3Files, RefuseMasksThatOverlapAndConcaveParts) {
+    const std::string mask = "M 7 12 11 10 9 1 0 0.8 box\n";
+    EXPECT_THROW(read_room(mask + "M 8 12 11 10 9 1 0 0.8 box\n"), UserError);
+    EXPECT_THROW(read_room("S 7 9 10 11 12 1 0 0.8 hatch\nM 8 12 11 10 9 1 0 0.8 box\n"), UserError);
+    const Scene two = read_room(mask + "V 13 1 3 0\nV 14 2 3 0\nM 8 12 13 14 11 1 0 0.8 box\n");
+    ASSERT_EQ(two.masks.size(), 2u) << "they touch";
+    EXPECT_NE(two.masks[0].name, two.masks[1].name);
+    EXPECT_THROW(read_room("V 13 1.4 1.6 0\nN 7 12 11 13 9 1 0 0.8 hole\n"), UserError);
 }
 
 // The room of format 3, placed by azimuth and tilt.
