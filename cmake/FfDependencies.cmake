@@ -61,6 +61,8 @@ endif()
 
 find_path(TINYOBJLOADER_INCLUDE_DIR tiny_obj_loader.h REQUIRED)  # the header alone, for double precision
 
+find_package(ZLIB REQUIRED)   # compressed arrays of VTK's XML
+
 # Meshes: STL, PLY, OFF, glTF. Its own CMake files would want the headers of zlib and Draco as well.
 find_path(ASSIMP_INCLUDE_DIR assimp/Importer.hpp REQUIRED)
 find_library(ASSIMP_LIBRARY assimp REQUIRED)

@@ -40,7 +40,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libffstudy-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libeigen3-dev, libembree-dev, libfmt-dev, libhwy-dev, libpugixml-dev, \
-libassimp-dev, libsqlite3-dev, libssl-dev, libtomlplusplus-dev, nlohmann-json3-dev")
+libassimp-dev, libsqlite3-dev, libssl-dev, libtomlplusplus-dev, nlohmann-json3-dev, zlib1g-dev")
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "Libraries and headers of ffstudy, with a CMake package and a pkg-config
 file.")
 

@@ -25,11 +25,14 @@ inline constexpr std::string_view occluder_group = "occluder";
 /// Whether a file name ends so, in letters of either case. @param extension  in small letters
 bool has_extension(std::string_view name, std::string_view extension);
 
-/// Whether a file name is that of a mesh: .stl, .ply, .off, .gltf or .glb.
+/// Whether a file name is that of a mesh: .stl, .ply, .off, .gltf, .glb, .vtk, .vtu, .vtp or .msh.
 bool names_mesh(std::string_view name);
 
 /// A mesh as the text of an OBJ file. Its groups are the nodes that contain polygons, by name, with `usemtl` where the
-/// file names materials; degenerate polygons are left out. @throws UserError, IoError
+/// file names materials, or groups of cells; its content decides which format it has. @throws UserError, IoError
 std::string mesh_as_obj(const std::filesystem::path& file);
+
+/// @throws UserError where the content of a file that is not named so is that of a mesh
+void expect_no_mesh(const std::filesystem::path& file);
 
 }  // namespace ff::studies

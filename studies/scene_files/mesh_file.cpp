@@ -1,7 +1,9 @@
 #include "core/geometry/convex_polygon.hpp"
 #include "core/support/error.hpp"
+#include "studies/readers/text_file.hpp"
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
+#include "studies/scene_files/meshes/mesh_kind.hpp"
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -11,7 +13,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <fstream>
 #include <string>
@@ -24,16 +25,6 @@ namespace ff::studies {
 namespace {
 
 using Eigen::Vector3d;
-
-/// A name as a word of an OBJ file.
-std::string as_word(const aiString& name) {
-    std::string word = name.C_Str();
-    for (char& c : word) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (std::isspace(byte) != 0 || std::iscntrl(byte) != 0 || c == '|') c = '_';
-    }
-    return word;
-}
 
 /// Writes nodes as groups, with all places in the coordinates of the whole.
 class ObjWriter {
@@ -62,9 +53,10 @@ class ObjWriter {
 
     /// The node's name; that of the mesh where the node has none but the reader's ("<STL_BINARY>").
     [[nodiscard]] std::string group_of(const aiNode& node, const aiMesh& mesh) const {
-        std::string name = as_word(node.mName);
-        if (name.empty() || name.front() == '<' || &node == scene_.mRootNode) name = as_word(mesh.mName);
-        return name.empty() || name.front() == '<' ? "mesh" : name;
+        std::string name = meshes::as_word(node.mName.C_Str());
+        if (name.empty() || name.front() == '<' || &node == scene_.mRootNode)
+            name = meshes::as_word(mesh.mName.C_Str());
+        return name.empty() || name.front() == '<' ? std::string(meshes::unnamed_group) : name;
     }
 
     void add(const aiNode& node, const aiMesh& mesh, const Eigen::Affine3d& place) {
@@ -84,7 +76,7 @@ class ObjWriter {
         text_ += fmt::format("g {}\n", group_of(node, mesh));
         const aiString material = scene_.mMaterials[mesh.mMaterialIndex]->GetName();
         const bool is_named = material.length > 0 && std::string_view(material.C_Str()) != AI_DEFAULT_MATERIAL_NAME;
-        text_ += fmt::format("usemtl {}\n", is_named ? as_word(material) : "");
+        text_ += fmt::format("usemtl {}\n", is_named ? meshes::as_word(material.C_Str()) : "");
         text_ += polygons;
     }
 
@@ -103,31 +95,66 @@ class ObjWriter {
     }
 };
 
-void expect_readable(const std::filesystem::path& file) {
+/// The kind of a file by its first bytes. @throws IoError where there are none
+const meshes::MeshKind* kind_by_content(const std::filesystem::path& file) {
     errno = 0;
     std::ifstream in(file, std::ios::binary);
-    if (in.peek() != std::ifstream::traits_type::eof()) return;
-    throw IoError(fmt::format("{}: cannot be read ({}). Check the name and the permissions.", file.string(),
-                              errno == 0 ? "empty" : std::generic_category().message(errno)));
+    std::string beginning(meshes::bytes_that_tell, '\0');
+    in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+    beginning.resize(static_cast<std::size_t>(in.gcount()));
+    if (beginning.empty())
+        throw IoError(fmt::format("{}: cannot be read ({}). Check the name and the permissions.", file.string(),
+                                  errno == 0 ? "empty" : std::generic_category().message(errno)));
+    std::error_code no_size;
+    return meshes::mesh_kind(beginning, std::filesystem::file_size(file, no_size));
 }
 
-}  // namespace
+[[noreturn]] void refuse_name(const std::string& file, const meshes::MeshKind& kind) {
+    throw UserError(
+        fmt::format("{}: {} by its content (its name says that it is something else). Rename it to end in "
+                    "{}.",
+                    file, kind.name, kind.extension));
+}
 
-std::string mesh_as_obj(const std::filesystem::path& file) {
-    expect_readable(file);  // the library does not say what is wrong
+std::string text_by_assimp(const std::string& file) {
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-    const aiScene* scene = importer.ReadFile(file.string(), aiProcess_SortByPType | aiProcess_ValidateDataStructure);
+    const aiScene* scene = importer.ReadFile(file, aiProcess_SortByPType | aiProcess_ValidateDataStructure);
     if (scene == nullptr || scene->mRootNode == nullptr)
-        throw UserError(fmt::format("{}: cannot be read as a mesh ({}). Write it again, or as OBJ.", file.string(),
+        throw UserError(fmt::format("{}: cannot be read as a mesh ({}). Write it again, or as OBJ.", file,
                                     importer.GetErrorString()));
     ObjWriter writer(*scene);
     if (writer.is_empty())
         throw UserError(
             fmt::format("{}: no polygon with an area (nothing would be computed). Write the mesh with its "
                         "polygons.",
-                        file.string()));
+                        file));
     return std::move(writer).text();
+}
+
+}  // namespace
+
+void expect_no_mesh(const std::filesystem::path& file) {
+    if (!std::filesystem::is_regular_file(file) || std::filesystem::file_size(file) == 0) return;
+    if (const auto* const kind = kind_by_content(file)) refuse_name(file.string(), *kind);
+}
+
+std::string mesh_as_obj(const std::filesystem::path& file) {
+    const std::string name = file.string();
+    const auto* const kind = kind_by_content(file);
+    if (kind != nullptr && kind->read != nullptr) return kind->read(name, read_bytes(file)).as_obj();
+    if (kind != nullptr && !has_extension(name, kind->extension)) refuse_name(name, *kind);
+    if (has_extension(name, ".msh"))
+        throw UserError(
+            fmt::format("{}: no mesh of gmsh from version 2 on (it would begin with $MeshFormat). Save it "
+                        "as version 2 or 4.",
+                        name));
+    if (has_extension(name, ".vtk") || has_extension(name, ".vtu") || has_extension(name, ".vtp"))
+        throw UserError(
+            fmt::format("{}: no file of VTK (it would begin with '# vtk DataFile', or as XML with VTKFile). "
+                        "Write it again.",
+                        name));
+    return text_by_assimp(name);
 }
 
 }  // namespace ff::studies

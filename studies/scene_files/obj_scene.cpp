@@ -1,5 +1,6 @@
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
+#include "studies/scene_files/meshes/surface_mesh.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
 #include "core/support/error.hpp"
@@ -135,6 +136,7 @@ class ObjReader {
 
     void read_comment(const std::string& comment) {
         closed_ = closed_ || comment == closed_scene;
+        if (comment.starts_with(meshes::volume_cells_comment)) read_volume_cells(comment);
         for (const std::string_view by : obj_faces) {
             if (comment == fmt::format("faces {}", by)) faces_ = by;
         }
@@ -142,6 +144,14 @@ class ObjReader {
 
     [[nodiscard]] bool is_occluder(const Polygon& polygon) const {
         return names_[polygon.owners.group] == occluder_group || names_[polygon.owners.object] == occluder_group;
+    }
+
+    /// How many cells were left out when a mesh was converted.
+    void read_volume_cells(std::string_view comment) {
+        const auto count = parse_number<std::uint64_t>(trimmed(comment.substr(meshes::volume_cells_comment.size())));
+        if (count)
+            builder_.remark(fmt::format("{} volume cell{} left out (surfaces alone exchange radiation)", *count,
+                                        *count == 1 ? " is" : "s are"));
     }
 
     /// How many different names the polygons have that are no occluders.

@@ -18,7 +18,8 @@ namespace ff::studies {
 namespace {
 
 /// Formats without a unit of length of their own, or in metres.
-constexpr std::array<std::string_view, 5> mesh_extensions{".stl", ".ply", ".off", ".gltf", ".glb"};
+constexpr std::array<std::string_view, 9> mesh_extensions{".stl", ".ply", ".off", ".gltf", ".glb",
+                                                          ".vtk", ".vtu", ".vtp", ".msh"};
 
 SceneWithMaterials scene_without_mirrors(const SceneSource& source) {
     const std::string& name = source.name;
@@ -47,7 +48,9 @@ std::string scene_extensions_in_words() {
 }
 
 std::string read_scene_file(const std::filesystem::path& file) {
-    return names_mesh(file.string()) ? mesh_as_obj(file) : read_text_file(file, FileKind::scene);
+    if (names_mesh(file.string())) return mesh_as_obj(file);
+    expect_no_mesh(file);
+    return read_text_file(file, FileKind::scene);
 }
 
 bool names_mesh(std::string_view name) {

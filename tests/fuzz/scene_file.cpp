@@ -1,22 +1,30 @@
 // A scene file is a scene whose areas are numbers and that can be traced, or a UserError. The first byte says which
-// format it is.
+// format it is; of meshes, which come last, the content says which.
 
 #include "studies/scene_files/scene_file.hpp"
 #include "core/support/error.hpp"
+#include "studies/scene_files/meshes/mesh_kind.hpp"
 #include "tests/fuzz/one_input.hpp"
 
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 #include <string_view>
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
-    constexpr std::array<std::string_view, 3> names{"a.obj", "a.vs3", "a.toml"};
-    const std::string_view text{reinterpret_cast<const char*>(data) + 1, size - 1};
+    constexpr std::array<std::string_view, 4> names{"a.obj", "a.vs3", "a.toml", "a.vtk"};
+    const std::string_view name = names[data[0] % names.size()];
+    std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
     try {
-        const ff::Scene scene = ff::studies::make_scene(ff::studies::source_of_file(names[data[0] % 3], text));
+        if (name == "a.vtk") {
+            const auto* const kind = ff::studies::meshes::mesh_kind(text, text.size());
+            if (kind == nullptr || kind->read == nullptr) return 0;
+            text = kind->read(name, text).as_obj();
+        }
+        const ff::Scene scene = ff::studies::make_scene(ff::studies::source_of_file(name, text));
         for (int face = 0; face < static_cast<int>(scene.faces.size()); ++face) {
             if (!(std::isfinite(ff::face_area(scene, face)) && ff::face_area(scene, face) > 0)) std::abort();
         }

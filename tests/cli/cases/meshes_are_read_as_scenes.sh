@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# STL, PLY, OFF and glTF are scenes: a room in each has the exact factors of the box.
+# STL, PLY, OFF, glTF, VTK and gmsh are scenes: a room in each has the exact factors of the box.
 source "$(dirname "$0")/../harness.sh"
 
 /usr/bin/python3 - <<'PYTHON'
@@ -25,6 +25,25 @@ open("room.off", "w").write("OFF\n8 6 0\n" + listed)
 open("room.ply", "w").write("ply\nformat ascii 1.0\nelement vertex 8\n" +
                             "".join(f"property float {c}\n" for c in "xyz") +
                             "element face 6\nproperty list uchar int vertex_indices\nend_header\n" + listed)
+numbered = list(enumerate(walls.values()))
+open("room.vtk", "wb").write(
+    b"# vtk DataFile Version 3.0\nroom\nBINARY\nDATASET POLYDATA\nPOINTS 8 double\n" +
+    b"".join(struct.pack(">3d", *p) for p in places) + b"\nPOLYGONS 6 30\n" +
+    b"".join(struct.pack(">5i", 4, *q) for q in walls.values()) +
+    b"\nCELL_DATA 6\nSCALARS wall int 1\nLOOKUP_TABLE default\n" + struct.pack(">6i", *range(6)))
+open("room.vtu", "w").write(
+    '<VTKFile type="UnstructuredGrid" byte_order="LittleEndian"><UnstructuredGrid>'
+    '<Piece NumberOfPoints="8" NumberOfCells="7"><Points><DataArray type="Float64" NumberOfComponents="3">' +
+    " ".join("%g %g %g" % p for p in places) + '</DataArray></Points><Cells>'
+    '<DataArray type="Int32" Name="connectivity">' + " ".join("%d %d %d %d" % q for q in walls.values()) +
+    ' 0 1 2 3 4 5 6 7</DataArray><DataArray type="Int32" Name="offsets">4 8 12 16 20 24 32</DataArray>'
+    '<DataArray type="UInt8" Name="types">9 9 9 9 9 9 12</DataArray></Cells><CellData>'
+    '<DataArray type="Int32" Name="wall">0 1 2 3 4 5 9</DataArray></CellData></Piece></UnstructuredGrid></VTKFile>')
+open("room.msh", "w").write(
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n6\n" +
+    "".join(f'2 {k + 1} "{name}"\n' for k, name in enumerate(walls)) + "$EndPhysicalNames\n$Nodes\n8\n" +
+    "".join("%d %g %g %g\n" % (k + 1, *p) for k, p in enumerate(places)) + "$EndNodes\n$Elements\n6\n" +
+    "".join("%d 3 2 %d 1 %d %d %d %d\n" % (k + 1, k + 1, *(i + 1 for i in q)) for k, q in numbered) + "$EndElements\n")
 # A node for each wall of a unit cube, whose scale makes it the room; one is mirrored, with its corners turned round.
 data, views, accessors, meshes, nodes = b"", [], [], [], []
 for name, quad in walls.items():
@@ -77,6 +96,16 @@ for file in room.ply room.off; do
     expect_box of_$file
 done
 
+for file in room.vtk room.vtu room.msh; do
+    ffstudy form_factors $file --closed --out of_$file
+    expect_status 0
+    expect_box of_$file
+done
+expect_stdout "F from           to floor            to roof           to south            to east"
+ffstudy form_factors room.vtu --closed
+expect_stderr "1 volume cell is left out"
+head -c 300 room.msh >"$folder/cut.msh"
+
 # Materials are faces, and names in a materials file; the store needs the mesh no longer.
 ffstudy form_factors room.gltf --closed --faces material --out materials
 expect_status 0
@@ -98,6 +127,8 @@ expect_stdout "roof: area 12"
 echo "solid nothing" >"$folder/bad.stl"
 ffstudy form_factors "$folder/bad.stl" --out out
 expect_refused 2 "cannot be read as a mesh"
+ffstudy form_factors "$folder/cut.msh" --out out
+expect_refused 2 "cut.msh:29: \$Elements: it ends here, and more has to follow (it was cut off). Write it again."
 ffstudy form_factors missing.glb --out out
 expect_refused 3 "missing.glb: cannot be read (No such file or directory)"
 ffstudy form_factors cube --faces material

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "studies/scene_files/meshes/surface_mesh.hpp"
+
+#include <string_view>
+
+namespace ff::studies::meshes {
+
+// Each reads the bytes of a file, whose name is for messages.
+// @throws UserError "file: place: problem (why). Suggestion."
+
+/// VTK's older format: polygons and unstructured grids, in text or binary. Groups are the values of the first array of
+/// whole numbers that cells have, as in VTK's XML.
+bool is_vtk_legacy(std::string_view bytes);
+SurfaceMesh read_vtk_legacy(std::string_view file, std::string_view bytes);
+
+/// VTK's XML: the same, in text, base64 or appended bytes, compressed by zlib or not.
+bool is_vtk_xml(std::string_view bytes);
+SurfaceMesh read_vtk_xml(std::string_view file, std::string_view bytes);
+
+/// gmsh's formats 2, 4.0 and 4.1, in text or binary. Groups are physical surfaces, by name, or else surfaces.
+bool is_gmsh(std::string_view bytes);
+SurfaceMesh read_gmsh(std::string_view file, std::string_view bytes);
+
+}  // namespace ff::studies::meshes

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies::meshes {
+
+enum class Encoding { text, little_endian, big_endian };
+
+/// How a file holds its numbers.
+struct NumberType {
+    enum class Kind { integer, natural, real };
+    Kind kind = Kind::real;
+    std::size_t bytes = 8;  ///< 1, 2, 4 or 8; a real number has 4 or 8
+
+    [[nodiscard]] bool is_whole() const { return kind != Kind::real; }
+};
+
+inline constexpr NumberType int32_type{NumberType::Kind::integer, 4};
+inline constexpr NumberType float64_type{NumberType::Kind::real, 8};
+
+/// The bytes of a mesh file, or of a part of it, from front to back. What is asked for and not there is a UserError,
+/// and no storage is taken for numbers for which the rest has no room.
+class MeshInput {
+  public:
+    /// @param name  of the file for messages, which have the line too, or the byte where numbers are binary
+    MeshInput(std::string_view name, std::string_view bytes) : name_(name), bytes_(bytes) {}
+    /// A part that a file holds in another form. @param name  of file and part, which is all that messages have
+    static MeshInput part(std::string_view name, std::string_view bytes, Encoding encoding);
+
+    /// From here on, numbers are so encoded; lines and words can be read all the same.
+    void set_encoding(Encoding encoding) { encoding_ = encoding; }
+    [[nodiscard]] Encoding encoding() const { return encoding_; }
+
+    /// What is being read, for messages.
+    void set_section(std::string_view section) { section_ = section; }
+
+    /// Whether nothing follows but blanks.
+    [[nodiscard]] bool at_end();
+    /// The rest of the line, without its end, which is passed over.
+    std::string_view line();
+    std::string_view word();
+    /// The word that comes next; empty at the end.
+    [[nodiscard]] std::string_view next_word() const;
+    /// A word that is a whole number from 0 on.
+    std::uint64_t count();
+    /// Passes over everything up to and including a text. @throws UserError where it does not come
+    void skip_past(std::string_view text);
+    void skip_bytes(std::size_t count);
+
+    double real(NumberType type);
+    std::int64_t whole(NumberType type);
+    std::vector<double> reals(NumberType type, std::uint64_t tuples, std::uint64_t components);
+    std::vector<std::int64_t> wholes(NumberType type, std::uint64_t tuples, std::uint64_t components);
+    void skip(NumberType type, std::uint64_t tuples, std::uint64_t components);
+
+    /// @throws UserError unless so many tuples may follow, each of at least so many numbers of at least so many bytes
+    void expect_room(std::uint64_t tuples, std::uint64_t components, std::size_t bytes) const;
+
+    [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
+    /// @throws UserError "file:line: section: problem"
+    [[noreturn]] void fail(std::string_view problem) const;
+
+  private:
+    std::string name_;
+    std::string_view bytes_;
+    Encoding encoding_ = Encoding::text;
+    bool is_whole_ = true;
+    std::string section_;
+    std::size_t at_ = 0;
+
+    void skip_blanks();
+    /// The bytes of a binary number, those of least value first.
+    std::array<char, 8> binary(NumberType type);
+};
+
+}  // namespace ff::studies::meshes

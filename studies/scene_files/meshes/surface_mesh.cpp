@@ -1,0 +1,55 @@
+#include "studies/scene_files/meshes/surface_mesh.hpp"
+
+#include "core/support/error.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+
+namespace ff::studies::meshes {
+
+std::string as_word(std::string_view name) {
+    std::string word(name);
+    for (char& c : word) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isspace(byte) != 0 || std::iscntrl(byte) != 0 || c == '|') c = '_';
+    }
+    return word;
+}
+
+void SurfaceMesh::add_polygon(std::string_view group, std::span<const std::int64_t> corners, std::string_view cell) {
+    const auto fail = [&](std::string_view problem) {
+        throw UserError(fmt::format("{}: {} {}", file_, cell, problem));
+    };
+    if (corners.size() < 3)
+        fail(fmt::format("is a polygon of {} points (three are the least). Remove it.", corners.size()));
+    std::string polygon = "f";
+    for (const std::int64_t corner : corners) {
+        if (corner < 0 || static_cast<std::size_t>(corner) >= points_.size())
+            fail(fmt::format("has point {}, of {} that count from 0. Correct the index.", corner, points_.size()));
+        const Eigen::Vector3d& point = points_[static_cast<std::size_t>(corner)];
+        if (!point.allFinite())
+            fail(fmt::format("has a point at ({}, {}, {}), which is no place. Correct it.", point.x(), point.y(),
+                             point.z()));
+        const auto [vertex, is_new] = vertices_.try_emplace(static_cast<std::size_t>(corner), vertices_.size() + 1);
+        if (is_new) text_ += fmt::format("v {} {} {}\n", point.x(), point.y(), point.z());
+        polygon += fmt::format(" {}", vertex->second);
+    }
+    if (group != group_) text_ += fmt::format("g {}\n", group_ = group);
+    text_ += polygon + '\n';
+}
+
+std::string SurfaceMesh::as_obj() const {
+    if (volume_cells_ == 0 && text_.empty())
+        throw UserError(
+            fmt::format("{}: no polygon (nothing would be computed). Write the mesh with its polygons.", file_));
+    if (text_.empty())
+        throw UserError(
+            fmt::format("{}: volume cells alone, {} of them (only surfaces exchange radiation). Extract the surface, "
+                        "as ParaView's filter Extract Surface does, or save the polygons of the boundary too.",
+                        file_, volume_cells_));
+    if (volume_cells_ == 0) return text_;
+    return fmt::format("# {} {}\n{}", volume_cells_comment, volume_cells_, text_);
+}
+
+}  // namespace ff::studies::meshes

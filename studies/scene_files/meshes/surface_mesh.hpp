@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace ff::studies::meshes {
+
+/// A comment of OBJ files: so many volume cells of a mesh were left out.
+inline constexpr std::string_view volume_cells_comment = "volume_cells";
+
+/// The faces of a mesh without groups.
+inline constexpr std::string_view unnamed_group = "mesh";
+
+/// A name as a word of an OBJ file: blanks, control characters and | become _.
+std::string as_word(std::string_view name);
+
+/// The polygons of a mesh file, in groups.
+class SurfaceMesh {
+  public:
+    /// @param file  names it in messages
+    explicit SurfaceMesh(std::string_view file) : file_(file) {}
+
+    /// Points get numbers from 0 in the order in which they are added.
+    void add_point(const Eigen::Vector3d& point) { points_.push_back(point); }
+    [[nodiscard]] std::size_t point_count() const { return points_.size(); }
+
+    /// Adds a polygon. @param cell  names it in messages: "cell 3"
+    /// @throws UserError where it has fewer than three corners, or one that is no point, or is not finite
+    void add_polygon(std::string_view group, std::span<const std::int64_t> corners, std::string_view cell);
+
+    void leave_out_volume_cell() { ++volume_cells_; }
+
+    /// The text of an OBJ file; what no polygon uses is left out. @throws UserError where there is no polygon
+    [[nodiscard]] std::string as_obj() const;
+
+  private:
+    std::string file_;
+    std::vector<Eigen::Vector3d> points_;
+    std::unordered_map<std::size_t, std::size_t> vertices_;  ///< number in the text, from 1, by that of the point
+    std::string text_;
+    std::string group_;
+    std::uint64_t volume_cells_ = 0;
+};
+
+}  // namespace ff::studies::meshes

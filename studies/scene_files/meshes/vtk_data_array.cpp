@@ -1,0 +1,106 @@
+#include "studies/scene_files/meshes/vtk_data_array.hpp"
+
+#include "core/support/error.hpp"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+#include <vector>
+
+namespace ff::studies::meshes {
+namespace {
+
+[[noreturn]] void refuse(const std::string& place, std::string_view problem) {
+    throw UserError(fmt::format("{}: {}", place, problem));
+}
+
+std::uint64_t next_of_header(EncodedBytes& bytes, const Packing& packing, const std::string& place) {
+    const std::string number = bytes.take(packing.header.bytes);
+    return static_cast<std::uint64_t>(MeshInput::part(place, number, packing.encoding).whole(packing.header));
+}
+
+std::string inflate_block(const std::string& packed, std::uint64_t size, const std::string& place) {
+    constexpr std::uint64_t most_expansion = 1032;  // of deflate: https://zlib.net/zlib_tech.html
+    if (size / most_expansion > packed.size())
+        refuse(place, fmt::format("a block of {} bytes is said to have {} (more than zlib can pack into it). Write it "
+                                  "again.",
+                                  packed.size(), size));
+    std::string block(size, '\0');
+    uLongf length = size;
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of zlib are unsigned
+    const auto* const source = reinterpret_cast<const Bytef*>(packed.data());
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the same
+    const int status = uncompress(reinterpret_cast<Bytef*>(block.data()), &length, source, packed.size());
+    if (status != Z_OK || length != size)
+        refuse(place, fmt::format("a compressed block cannot be unpacked to its {} bytes (damaged). Write it again, or "
+                                  "uncompressed.",
+                                  size));
+    return block;
+}
+
+std::string unpack_blocks(EncodedBytes& bytes, const Packing& packing, const std::string& place) {
+    const auto next = [&] { return next_of_header(bytes, packing, place); };
+    const std::uint64_t blocks = next();
+    if (blocks == 0) return {};
+    const std::uint64_t size = next();
+    const std::uint64_t last_size = next();
+    std::vector<std::uint64_t> packed_sizes;
+    for (std::uint64_t i = 0; i < blocks; ++i) packed_sizes.push_back(next());
+    std::string all;
+    for (std::uint64_t i = 0; i < blocks; ++i) {
+        const bool is_partial = i + 1 == blocks && last_size != 0;
+        all += inflate_block(bytes.take(packed_sizes[i]), is_partial ? last_size : size, place);
+    }
+    return all;
+}
+
+}  // namespace
+
+void EncodedBytes::decode_group() {
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::uint32_t bits = 0;
+    int count = 0;
+    int padding = 0;
+    while (count < 4) {
+        if (text_.empty()) refuse(place_, "its bytes end early (the file was cut off). Write it again.");
+        const char c = text_.front();
+        text_.remove_prefix(1);
+        if (std::isspace(static_cast<unsigned char>(c)) != 0) continue;
+        const std::size_t digit = c == '=' ? 0 : digits.find(c);
+        if (digit == std::string_view::npos || (padding > 0 && c != '=') || (c == '=' && count < 2))
+            refuse(place_, "a character that is not base64 (damaged). Write it again.");
+        padding += c == '=' ? 1 : 0;
+        bits = bits << 6 | static_cast<std::uint32_t>(digit);
+        ++count;
+    }
+    for (int byte = 0; byte < 3 - padding; ++byte)
+        decoded_ += static_cast<char>(static_cast<unsigned char>(bits >> (16 - 8 * byte) & 0xff));
+}
+
+std::string EncodedBytes::take(std::uint64_t count) {
+    const std::size_t most = form_ == Form::raw ? text_.size() : decoded_.size() + text_.size();
+    if (count > most)
+        refuse(place_, fmt::format("{} bytes are announced, and {} follow (the file was cut off, or the number is "
+                                   "wrong). Write it again.",
+                                   count, most));
+    std::string bytes;
+    if (form_ == Form::raw) {
+        bytes = text_.substr(0, count);
+        text_.remove_prefix(count);
+        return bytes;
+    }
+    while (decoded_.size() < count) decode_group();
+    bytes = decoded_.substr(0, count);
+    decoded_.erase(0, count);
+    return bytes;
+}
+
+std::string unpack(EncodedBytes bytes, const Packing& packing, const std::string& place) {
+    if (packing.is_compressed) return unpack_blocks(bytes, packing, place);
+    return bytes.take(next_of_header(bytes, packing, place));
+}
+
+}  // namespace ff::studies::meshes

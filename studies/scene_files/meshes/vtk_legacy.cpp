@@ -1,0 +1,302 @@
+#include "core/support/excerpt.hpp"
+#include "studies/scene_files/meshes/formats.hpp"
+#include "studies/scene_files/meshes/mesh_input.hpp"
+#include "studies/scene_files/meshes/vtk_cells.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+// The format: https://docs.vtk.org/en/latest/vtk_file_formats/vtk_legacy_file_format.html
+
+namespace ff::studies::meshes {
+namespace {
+
+using Kind = NumberType::Kind;
+
+constexpr std::string_view legacy_magic = "# vtk DataFile";
+
+std::string capitals(std::string_view word) {
+    std::string text(word);
+    for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return text;
+}
+
+/// Empty for bits and texts, which are no numbers of whole bytes.
+std::optional<NumberType> legacy_type(std::string_view name) {
+    constexpr std::array<std::pair<std::string_view, NumberType>, 17> types{{{"CHAR", {Kind::integer, 1}},
+                                                                             {"SIGNED_CHAR", {Kind::integer, 1}},
+                                                                             {"UNSIGNED_CHAR", {Kind::natural, 1}},
+                                                                             {"SHORT", {Kind::integer, 2}},
+                                                                             {"UNSIGNED_SHORT", {Kind::natural, 2}},
+                                                                             {"INT", {Kind::integer, 4}},
+                                                                             {"UNSIGNED_INT", {Kind::natural, 4}},
+                                                                             {"LONG", {Kind::integer, 8}},
+                                                                             {"UNSIGNED_LONG", {Kind::natural, 8}},
+                                                                             {"VTKIDTYPE", {Kind::integer, 4}},
+                                                                             {"VTKTYPEINT32", {Kind::integer, 4}},
+                                                                             {"VTKTYPEUINT32", {Kind::natural, 4}},
+                                                                             {"VTKTYPEINT64", {Kind::integer, 8}},
+                                                                             {"VTKTYPEUINT64", {Kind::natural, 8}},
+                                                                             {"FLOAT", {Kind::real, 4}},
+                                                                             {"DOUBLE", {Kind::real, 8}},
+                                                                             {"LONG_LONG", {Kind::integer, 8}}}};
+    const std::string wanted = capitals(name);
+    const auto* const found =
+        std::find_if(types.begin(), types.end(), [&](const auto& entry) { return entry.first == wanted; });
+    return found == types.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// A name of an array, in which blanks and others stand as %20.
+std::string decoded_name(std::string_view word) {
+    std::string name;
+    for (std::size_t i = 0; i < word.size(); ++i) {
+        unsigned char code = 0;
+        const std::string_view digits = word.substr(std::min(i + 1, word.size()), 2);
+        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
+        const bool is_code = word[i] == '%' && error == std::errc() && end == digits.data() + 2;
+        name += is_code ? static_cast<char>(code) : word[i];
+        if (is_code) i += 2;
+    }
+    return name;
+}
+
+class LegacyReader {
+  public:
+    LegacyReader(std::string_view file, std::string_view bytes) : file_(file), in_(file, bytes), mesh_(file) {}
+
+    SurfaceMesh read() && {
+        in_.line();  // that tells the version: what differs is seen where it differs
+        in_.line();  // a title
+        in_.set_section("header");
+        const std::string encoding = capitals(in_.line());
+        if (encoding != "ASCII" && encoding != "BINARY")
+            in_.fail(fmt::format("the third line is '{}', not ASCII or BINARY. Correct it.", excerpt(encoding)));
+        if (encoding == "BINARY") in_.set_encoding(Encoding::big_endian);
+        while (!in_.at_end()) {
+            const std::string keyword = capitals(in_.word());
+            in_.set_section(keyword);
+            read_section(keyword);
+        }
+        return finish();
+    }
+
+  private:
+    struct Connections {
+        std::vector<std::int64_t> points;
+        std::vector<std::int64_t> ends;
+    };
+    enum class Owner { none, cells, points };
+
+    std::string_view file_;
+    MeshInput in_;
+    SurfaceMesh mesh_;
+    // Cells count in this order, whatever the order of sections.
+    static constexpr std::array<std::pair<std::string_view, std::int64_t>, 4> sections{
+        {{"VERTICES", vtk_poly_vertex},
+         {"LINES", vtk_poly_line},
+         {"POLYGONS", vtk_polygon},
+         {"TRIANGLE_STRIPS", vtk_triangle_strip}}};
+    std::array<Connections, sections.size()> of_sections_;
+    Connections cells_;
+    std::optional<std::vector<std::int64_t>> types_;
+    Owner owner_ = Owner::none;
+    std::uint64_t owned_ = 0;  ///< cells or points that arrays are of
+    std::optional<VtkGroups> groups_;
+
+    void read_section(const std::string& keyword) {
+        for (std::size_t i = 0; i < sections.size(); ++i) {
+            if (sections[i].first == keyword) return read_connections(of_sections_[i]);
+        }
+        if (keyword == "DATASET") {
+            const std::string kind = capitals(in_.word());
+            if (kind != "POLYDATA" && kind != "UNSTRUCTURED_GRID")
+                in_.fail(
+                    fmt::format("'{}' is not read (POLYDATA and UNSTRUCTURED_GRID are). Extract the surface, as "
+                                "ParaView's filter Extract Surface does.",
+                                excerpt(kind)));
+        } else if (keyword == "POINTS") {
+            read_points();
+        } else if (keyword == "CELLS") {
+            read_connections(cells_);
+        } else if (keyword == "CELL_TYPES") {
+            const std::uint64_t count = in_.count();
+            in_.line();
+            types_ = in_.wholes(int32_type, count, 1);
+        } else if (keyword == "CELL_DATA" || keyword == "POINT_DATA") {
+            owner_ = keyword == "CELL_DATA" ? Owner::cells : Owner::points;
+            owned_ = in_.count();
+        } else if (keyword == "METADATA") {
+            skip_metadata();
+        } else if (keyword == "FIELD") {
+            read_fields();
+        } else {
+            read_attribute(keyword);
+        }
+    }
+
+    NumberType type(std::string_view name) const {
+        const auto known = legacy_type(name);
+        if (!known) in_.fail(fmt::format("numbers of type '{}' are not read. Leave them out.", excerpt(name)));
+        return *known;
+    }
+
+    void read_points() {
+        if (mesh_.point_count() > 0) in_.fail("the file has points twice. Leave one out.");
+        const std::uint64_t count = in_.count();
+        const NumberType real = type(in_.word());
+        in_.line();
+        const std::vector<double> values = in_.reals(real, count, 3);
+        for (std::size_t i = 0; i < values.size(); i += 3) mesh_.add_point({values[i], values[i + 1], values[i + 2]});
+    }
+
+    /// Cells as number of points and points of each, or, from version 5.1 on, as where each begins and all points.
+    void read_connections(Connections& cells) {
+        const std::uint64_t count = in_.count();
+        const std::uint64_t size = in_.count();
+        in_.line();
+        cells = {};
+        if (in_.next_word() == "OFFSETS") return read_offsets(cells, count, size);
+        const std::vector<std::int64_t> values = in_.wholes(int32_type, size, 1);
+        for (std::size_t at = 0; at < values.size();) {
+            const std::int64_t points = values[at++];
+            if (points < 0 || static_cast<std::size_t>(points) > values.size() - at)
+                in_.fail(fmt::format("cell {} has {} points, and {} numbers follow. Correct it.", cells.ends.size(),
+                                     points, values.size() - at));
+            const auto begin = values.begin() + static_cast<std::ptrdiff_t>(at);
+            cells.points.insert(cells.points.end(), begin, begin + points);
+            cells.ends.push_back(static_cast<std::int64_t>(cells.points.size()));
+            at += static_cast<std::size_t>(points);
+        }
+        if (cells.ends.size() != count)
+            in_.fail(fmt::format("{} cells are announced, and there are {}. Correct it.", count, cells.ends.size()));
+    }
+
+    void read_offsets(Connections& cells, std::uint64_t count, std::uint64_t size) {
+        cells.ends = read_named("OFFSETS", count);
+        cells.points = read_named("CONNECTIVITY", size);
+        if (!cells.ends.empty()) cells.ends.erase(cells.ends.begin());  // where the first cell begins: 0
+    }
+
+    std::vector<std::int64_t> read_named(std::string_view name, std::uint64_t count) {
+        if (in_.next_word() != name)
+            in_.fail(fmt::format("'{}' stands where {} is expected. Correct it.", excerpt(in_.next_word()), name));
+        static_cast<void>(in_.word());
+        const NumberType whole = type(in_.word());
+        in_.line();
+        return in_.wholes(whole, count, 1);
+    }
+
+    /// Lines up to an empty one.
+    void skip_metadata() {
+        in_.line();
+        while (in_.left() > 0 && !in_.line().empty()) {
+        }
+    }
+
+    void read_fields() {
+        static_cast<void>(in_.word());  // the name
+        const std::uint64_t arrays = in_.count();
+        for (std::uint64_t i = 0; i < arrays; ++i) {
+            std::string name(in_.word());
+            while (name == "METADATA") {
+                skip_metadata();
+                name = in_.word();
+            }
+            in_.set_section("array " + name);
+            const std::uint64_t components = in_.count();
+            const std::uint64_t tuples = in_.count();
+            const std::string number_type(in_.word());
+            in_.line();
+            read_array(name, number_type, tuples, components);
+        }
+    }
+
+    void read_attribute(const std::string& keyword) {
+        constexpr std::array<std::pair<std::string_view, std::uint64_t>, 8> widths{{{"VECTORS", 3},
+                                                                                    {"NORMALS", 3},
+                                                                                    {"TENSORS", 9},
+                                                                                    {"TENSORS6", 6},
+                                                                                    {"GLOBAL_IDS", 1},
+                                                                                    {"PEDIGREE_IDS", 1},
+                                                                                    {"EDGE_FLAGS", 1},
+                                                                                    {"TEXTURE_COORDINATES", 0}}};
+        if (keyword == "SCALARS") return read_scalars();
+        if (keyword == "COLOR_SCALARS" || keyword == "LOOKUP_TABLE") return skip_colours(keyword == "LOOKUP_TABLE");
+        const auto* const width =
+            std::find_if(widths.begin(), widths.end(), [&](const auto& entry) { return entry.first == keyword; });
+        if (width == widths.end()) in_.fail("no keyword of this format. Write the file again.");
+        static_cast<void>(in_.word());  // the name
+        const std::uint64_t components = width->second == 0 ? in_.count() : width->second;
+        const NumberType number = type(in_.word());
+        in_.line();
+        in_.skip(number, owned_, components);
+    }
+
+    void read_scalars() {
+        const std::string name(in_.word());
+        in_.set_section("array " + name);
+        const std::string number_type(in_.word());
+        const MeshInput rest = in_;
+        const bool has_components = !in_.line().empty();
+        std::uint64_t components = 1;
+        if (has_components) {
+            in_ = rest;
+            components = in_.count();
+            in_.line();
+        }
+        if (in_.next_word() == "LOOKUP_TABLE") in_.line();
+        read_array(name, number_type, owned_, components);
+    }
+
+    void skip_colours(bool is_table) {
+        static_cast<void>(in_.word());  // the name
+        const std::uint64_t width = in_.count();
+        in_.line();
+        in_.skip({Kind::natural, 1}, is_table ? width : owned_, is_table ? 4 : width);
+    }
+
+    /// Takes an array of cells for groups where it is the first that may be.
+    void read_array(const std::string& name, std::string_view type_name, std::uint64_t tuples,
+                    std::uint64_t components) {
+        const NumberType number = type(type_name);
+        if (owner_ != Owner::cells || groups_ || !may_be_groups(name, number, components))
+            return in_.skip(number, tuples, components);
+        groups_ = VtkGroups{decoded_name(name), in_.wholes(number, tuples, 1)};
+    }
+
+    SurfaceMesh finish() {
+        in_.set_section("");
+        VtkCells cells{std::move(cells_.points), std::move(cells_.ends),
+                       std::move(types_).value_or(std::vector<std::int64_t>())};
+        if (cells.types.size() != cells.ends.size())
+            in_.fail(fmt::format("{} cells have {} types. Correct CELLS or CELL_TYPES.", cells.ends.size(),
+                                 cells.types.size()));
+        for (std::size_t i = 0; i < sections.size(); ++i)
+            cells.append(of_sections_[i].points, of_sections_[i].ends, sections[i].second);
+        if (groups_ && groups_->values.size() != cells.ends.size())
+            in_.fail(fmt::format("array {} has {} values for {} cells. Correct it.", excerpt(groups_->name),
+                                 groups_->values.size(), cells.ends.size()));
+        add_cells(mesh_, file_, 0, cells, groups_);
+        return std::move(mesh_);
+    }
+};
+
+}  // namespace
+
+bool is_vtk_legacy(std::string_view bytes) {
+    return bytes.starts_with(legacy_magic);
+}
+
+SurfaceMesh read_vtk_legacy(std::string_view file, std::string_view bytes) {
+    return LegacyReader(file, bytes).read();
+}
+
+}  // namespace ff::studies::meshes
