@@ -4,6 +4,7 @@
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
 #include "studies/scene_files/meshes/mesh_kind.hpp"
+#include "studies/scene_files/meshes/whole_file.hpp"
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -95,8 +96,8 @@ class ObjWriter {
     }
 };
 
-/// The kind of a file by its first bytes. @throws IoError where there are none
-const meshes::MeshKind* kind_by_content(const std::filesystem::path& file) {
+/// The first bytes of a file. @throws IoError where there are none
+std::string beginning_of(const std::filesystem::path& file) {
     errno = 0;
     std::ifstream in(file, std::ios::binary);
     std::string beginning(meshes::bytes_that_tell, '\0');
@@ -105,8 +106,7 @@ const meshes::MeshKind* kind_by_content(const std::filesystem::path& file) {
     if (beginning.empty())
         throw IoError(fmt::format("{}: cannot be read ({}). Check the name and the permissions.", file.string(),
                                   errno == 0 ? "empty" : std::generic_category().message(errno)));
-    std::error_code no_size;
-    return meshes::mesh_kind(beginning, std::filesystem::file_size(file, no_size));
+    return beginning;
 }
 
 [[noreturn]] void refuse_name(const std::string& file, const meshes::MeshKind& kind) {
@@ -136,12 +136,15 @@ std::string text_by_assimp(const std::string& file) {
 
 void expect_no_mesh(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(file) || std::filesystem::file_size(file) == 0) return;
-    if (const auto* const kind = kind_by_content(file)) refuse_name(file.string(), *kind);
+    if (const auto* const kind = meshes::mesh_kind(beginning_of(file), std::filesystem::file_size(file)))
+        refuse_name(file.string(), *kind);
 }
 
 std::string mesh_as_obj(const std::filesystem::path& file) {
     const std::string name = file.string();
-    const auto* const kind = kind_by_content(file);
+    const std::string beginning = beginning_of(file);
+    const std::uint64_t size = std::filesystem::file_size(file);
+    const auto* const kind = meshes::mesh_kind(beginning, size);
     if (kind != nullptr && kind->read != nullptr) return kind->read(name, read_bytes(file)).as_obj();
     if (kind != nullptr && !has_extension(name, kind->extension)) refuse_name(name, *kind);
     if (has_extension(name, ".msh"))
@@ -154,6 +157,7 @@ std::string mesh_as_obj(const std::filesystem::path& file) {
             fmt::format("{}: no file of VTK (it would begin with '# vtk DataFile', or as XML with VTKFile). "
                         "Write it again.",
                         name));
+    meshes::expect_whole(name, beginning, size);
     return text_by_assimp(name);
 }
 

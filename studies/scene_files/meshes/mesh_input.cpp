@@ -109,11 +109,16 @@ void MeshInput::skip_bytes(std::size_t count) {
     at_ += count;
 }
 
-std::array<char, 8> MeshInput::binary(NumberType type) {
+std::string_view MeshInput::take_bytes(std::size_t count) {
     const std::size_t begin = at_;
-    skip_bytes(type.bytes);
+    skip_bytes(count);
+    return bytes_.substr(begin, count);
+}
+
+std::array<char, 8> MeshInput::binary(NumberType type) {
     std::array<char, 8> bytes{};
-    std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(begin), type.bytes, bytes.begin());
+    const std::string_view taken = take_bytes(type.bytes);
+    std::copy(taken.begin(), taken.end(), bytes.begin());
     if (encoding_ == Encoding::big_endian)
         std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(type.bytes));
     return bytes;

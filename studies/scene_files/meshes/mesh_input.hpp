@@ -51,6 +51,7 @@ class MeshInput {
     /// Passes over everything up to and including a text. @throws UserError where it does not come
     void skip_past(std::string_view text);
     void skip_bytes(std::size_t count);
+    std::string_view take_bytes(std::size_t count);
 
     double real(NumberType type);
     std::int64_t whole(NumberType type);

@@ -9,10 +9,6 @@
 namespace ff::studies::meshes {
 namespace {
 
-bool is_text_stl(std::string_view beginning) {
-    return beginning.starts_with("solid") && beginning.find("facet") != std::string_view::npos;
-}
-
 /// It has no mark, but is as long as its number of triangles says.
 bool is_binary_stl(std::string_view beginning, std::uint64_t size) {
     constexpr std::size_t header = 80;
@@ -49,6 +45,10 @@ constexpr std::array<std::pair<Recognises, MeshKind>, 8> kinds{{
 }};
 
 }  // namespace
+
+bool is_text_stl(std::string_view beginning) {
+    return beginning.starts_with("solid") && beginning.find("facet") != std::string_view::npos;
+}
 
 const MeshKind* mesh_kind(std::string_view beginning, std::uint64_t size) {
     const auto* const found =

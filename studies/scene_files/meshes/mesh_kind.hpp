@@ -16,7 +16,9 @@ struct MeshKind {
 };
 
 /// As many bytes tell what a file is.
-inline constexpr std::size_t bytes_that_tell = 1024;
+inline constexpr std::size_t bytes_that_tell = 65536;
+
+bool is_text_stl(std::string_view beginning);
 
 /// Null where the content does not tell.
 /// @param beginning  up to `bytes_that_tell` bytes  @param size  of the file

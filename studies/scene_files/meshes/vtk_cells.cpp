@@ -105,6 +105,12 @@ bool may_be_groups(std::string_view name, std::optional<NumberType> type, std::u
     return type && type->is_whole() && components == 1 && !name.starts_with("vtk");
 }
 
+VtkGroups groups_by_number(std::string name, const std::vector<std::int64_t>& values) {
+    VtkGroups groups{std::move(name), {}};
+    for (const std::int64_t value : values) groups.labels.push_back(fmt::format("{}_{}", as_word(groups.name), value));
+    return groups;
+}
+
 void add_cells(SurfaceMesh& mesh, std::string_view file, std::size_t first_point, const VtkCells& cells,
                const std::optional<VtkGroups>& groups) {
     CellPolygons polygons(mesh, file, first_point);
@@ -117,8 +123,7 @@ void add_cells(SurfaceMesh& mesh, std::string_view file, std::size_t first_point
                             "and there are {}). Correct it.",
                             file, i, cells.ends[i], begin, cells.points.size()));
         const Corners points = Corners(cells.points).subspan(begin, end - begin);
-        const std::string group =
-            groups ? fmt::format("{}_{}", as_word(groups->name), groups->values[i]) : std::string(unnamed_group);
+        const std::string group = groups ? groups->labels[i] : std::string(unnamed_group);
         polygons.add(i, cells.types[i], points, group);
         begin = end;
     }

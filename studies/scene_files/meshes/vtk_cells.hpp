@@ -29,11 +29,14 @@ struct VtkCells {
                 std::int64_t type);
 };
 
-/// An array of whole numbers that tells groups of cells apart.
+/// An array that tells groups of cells apart.
 struct VtkGroups {
-    std::string name;
-    std::vector<std::int64_t> values;  ///< one for each cell
+    std::string name;                 ///< of the array
+    std::vector<std::string> labels;  ///< of the group of each cell
 };
+
+/// Groups by the values of an array, called name_value.
+VtkGroups groups_by_number(std::string name, const std::vector<std::int64_t>& values);
 
 /// Whether an array of cells may tell groups apart: whole numbers, one for each cell, and not for use by VTK itself
 /// (vtkGhostType).

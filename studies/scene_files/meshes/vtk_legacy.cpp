@@ -263,13 +263,33 @@ class LegacyReader {
         in_.skip({Kind::natural, 1}, is_table ? width : owned_, is_table ? 4 : width);
     }
 
+    /// A text of an array: a line, or in binary its length and its bytes. The two highest bits of the length tell how
+    /// many bytes it has itself.
+    std::string text() {
+        if (in_.encoding() == Encoding::text) return decoded_name(in_.line());
+        const auto byte = [&] { return static_cast<std::uint64_t>(in_.whole({Kind::natural, 1})); };
+        const std::uint64_t first = byte();
+        constexpr std::array<int, 4> further_bytes{7, 3, 1, 0};
+        std::uint64_t length = first & 0x3fU;
+        for (int left = further_bytes.at(first >> 6U); left > 0; --left) length = length << 8U | byte();
+        return std::string(in_.take_bytes(length));
+    }
+
     /// Takes an array of cells for groups where it is the first that may be.
     void read_array(const std::string& name, std::string_view type_name, std::uint64_t tuples,
                     std::uint64_t components) {
+        if (capitals(type_name) == "STRING") {
+            in_.expect_room(tuples, components, 1);
+            std::vector<std::string> labels;
+            for (std::uint64_t i = 0; i < tuples * components; ++i) labels.push_back(as_word(text()));
+            if (owner_ == Owner::cells && !groups_ && components == 1)
+                groups_ = VtkGroups{decoded_name(name), std::move(labels)};
+            return;
+        }
         const NumberType number = type(type_name);
         if (owner_ != Owner::cells || groups_ || !may_be_groups(name, number, components))
             return in_.skip(number, tuples, components);
-        groups_ = VtkGroups{decoded_name(name), in_.wholes(number, tuples, 1)};
+        groups_ = groups_by_number(decoded_name(name), in_.wholes(number, tuples, 1));
     }
 
     SurfaceMesh finish() {
@@ -281,9 +301,9 @@ class LegacyReader {
                                  cells.types.size()));
         for (std::size_t i = 0; i < sections.size(); ++i)
             cells.append(of_sections_[i].points, of_sections_[i].ends, sections[i].second);
-        if (groups_ && groups_->values.size() != cells.ends.size())
+        if (groups_ && groups_->labels.size() != cells.ends.size())
             in_.fail(fmt::format("array {} has {} values for {} cells. Correct it.", excerpt(groups_->name),
-                                 groups_->values.size(), cells.ends.size()));
+                                 groups_->labels.size(), cells.ends.size()));
         add_cells(mesh_, file_, 0, cells, groups_);
         return std::move(mesh_);
     }

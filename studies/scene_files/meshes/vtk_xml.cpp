@@ -203,7 +203,7 @@ class XmlReader {
             const std::string name = array.attribute("Name").value();
             const std::uint64_t components = array.attribute("NumberOfComponents").as_uint(1);
             if (may_be_groups(name, xml_type(array.attribute("type").value()), components))
-                return VtkGroups{name, wholes(array, cells)};
+                return groups_by_number(name, wholes(array, cells));
         }
         return std::nullopt;
     }

@@ -4,6 +4,7 @@
 #include "studies/outside/command_estimator.hpp"
 #include "studies/outside/command_sampler.hpp"
 #include "studies/spec/spec.hpp"
+#include "tests/support/studies.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +35,8 @@ TEST(OutsideCode, IsFoundInStudiesAndBandsWithItsPlace) {
 }
 
 TEST(OutsideCode, IsNeverRunByReadingAStudy) {
-    const auto mark = std::filesystem::path(::testing::TempDir()) / "outside_code_was_run";
+    const test::TemporaryFolder folder;
+    const auto mark = folder.path() / "outside_code_was_run";
     const std::string text = study("command:touch " + mark.string());
     EXPECT_THROW(parse_study(text, "s.toml"), UserError);
     for (const auto& code : outside_code(text, "s.toml")) admit(code, {});
@@ -43,7 +45,8 @@ TEST(OutsideCode, IsNeverRunByReadingAStudy) {
 }
 
 TEST(Command, IsNamedAfterTheFilesAmongItsWords) {
-    const std::filesystem::path folder(::testing::TempDir());
+    const test::TemporaryFolder temporary;
+    const auto& folder = temporary.path();
     const auto write = [&](const std::string& text) { std::ofstream(folder / "script of mine") << text; };
     write("one");
     const std::string command = "command:python3 'script of mine' {n}";

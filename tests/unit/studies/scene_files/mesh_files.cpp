@@ -3,6 +3,7 @@
 #include "core/support/error.hpp"
 #include "studies/scene_files/meshes/mesh_kind.hpp"
 #include "studies/scene_files/scene_file.hpp"
+#include "tests/support/studies.hpp"
 #include "tests/unit/studies/scene_files/mesh_samples.hpp"
 
 #include <gmock/gmock.h>
@@ -18,6 +19,7 @@
 namespace ff::studies::meshes {
 namespace {
 
+using testing::AllOf;
 using testing::AnyOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -202,14 +204,43 @@ TEST(BrokenMeshFiles, MayHaveAnyBytes) {
     }
 }
 
+// As pyVista writes texts: in binary each has its length before it.
+TEST(MeshFiles, OfVtkHaveGroupsByText) {
+    const std::string head = "# vtk DataFile Version 5.1\nx\n";
+    const auto texts_of = [&](const std::string& file) {
+        const test::TemporaryFolder folder;
+        const auto path = folder.path() / "a.vtk";
+        std::ofstream(path, std::ios::binary) << file;
+        return read_scene_file(path);
+    };
+    const std::string text = head +
+                             "ASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 1 1 0\nPOLYGONS 2 8\n3 0 1 2\n"
+                             "3 0 2 1\nCELL_DATA 2\nFIELD FieldData 2\nwall_names 1 2 string\nbig%20house\nsky\n"
+                             "part 1 2 int\n1 2\n";
+    EXPECT_THAT(texts_of(text), AllOf(HasSubstr("g big_house\n"), HasSubstr("g sky\n")));
+    const auto binary = [](std::initializer_list<int> bytes) { return std::string(bytes.begin(), bytes.end()); };
+    const std::string long_name(100, 'x');  // whose length takes two bytes
+    const std::string start = head + "BINARY\nDATASET POLYDATA\nPOINTS 3 float\n" + std::string(12, '\0') +
+                              binary({0x3f, 0x80, 0, 0}) + std::string(8, '\0') + binary({0x3f, 0x80, 0, 0}) +
+                              binary({0x3f, 0x80, 0, 0}) + std::string(4, '\0') + "\nPOLYGONS 2 8\n" +
+                              binary({0, 0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 2}) +
+                              binary({0, 0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0, 0, 1}) +
+                              "\nCELL_DATA 2\nFIELD FieldData 1\nwall_names 1 2 string\n" + binary({0xc0 | 3}) + "sky";
+    EXPECT_THAT(texts_of(start + binary({0x80, 100}) + long_name + "\n"),
+                AllOf(HasSubstr("g sky\n"), HasSubstr("g " + long_name + "\n")));
+    EXPECT_THROW(texts_of(start + binary({0x80, 100}) + "cut off"), UserError);
+    EXPECT_THROW(texts_of(start + std::string(1, '\0') + binary({0x7f, 0x7f, 0x7f, 0x7f, 0x7f, 0x7f, 0x7f})),
+                 UserError);
+}
+
 TEST(MeshFiles, AreKnownByTheirContent) {
-    const std::filesystem::path folder = testing::TempDir();
+    const test::TemporaryFolder folder;
     const auto write = [&](const std::string& name, const std::string& bytes) {
-        std::ofstream(folder / name, std::ios::binary) << bytes;
-        return folder / name;
+        std::ofstream(folder.path() / name, std::ios::binary) << bytes;
+        return folder.path() / name;
     };
     // A mesh is read in spite of a name of another mesh, but not as a file of another kind.
-    EXPECT_THAT(read_scene_file(write("mesh_files_a.msh", sample("room.vtu"))), HasSubstr("g part_1"));
+    EXPECT_THAT(read_scene_file(write("a.msh", sample("room.vtu"))), HasSubstr("g part_1"));
     const auto fault = [](const std::filesystem::path& file) -> std::string {
         try {
             return read_scene_file(file);
@@ -219,11 +250,11 @@ TEST(MeshFiles, AreKnownByTheirContent) {
     };
     std::string triangle(84 + 50, '\0');
     triangle[80] = 1;
-    EXPECT_THAT(fault(write("mesh_files_b.obj", triangle)),
+    EXPECT_THAT(fault(write("b.obj", triangle)),
                 HasSubstr("a binary STL file by its content (its name says that it is something else). Rename it to "
                           "end in .stl."));
-    EXPECT_THAT(fault(write("mesh_files_c.toml", sample("room.msh"))), HasSubstr("a mesh of gmsh by its content"));
-    EXPECT_THAT(fault(write("mesh_files_d.msh", "(0 \"Fluent\")\n")), HasSubstr("no mesh of gmsh from version 2 on"));
+    EXPECT_THAT(fault(write("c.toml", sample("room.msh"))), HasSubstr("a mesh of gmsh by its content"));
+    EXPECT_THAT(fault(write("d.msh", "(0 \"Fluent\")\n")), HasSubstr("no mesh of gmsh from version 2 on"));
 }
 
 }  // namespace
