@@ -111,7 +111,7 @@ def judge_mean(samples, reference, *, band, alpha=1e-4, power=0.9, pass_alpha=0.
     _expect_options(band, alpha, power, pass_alpha, reference_error)
     x = numpy.asarray(samples, dtype=float)
     if x.ndim != 1:
-        raise ValueError(f"samples of shape {x.shape} (one number a trial is wanted). Gate one quantity at a time.")
+        raise ValueError(f"samples of shape {x.shape} (expected one number a trial). Gate one quantity at a time.")
     if not numpy.isfinite(x).all():
         raise ValueError("samples hold a value that is not finite (a mean of it would mean nothing).")
     n = len(x)

@@ -61,6 +61,8 @@ struct FormFactorsCommand {
     std::filesystem::path load;  ///< folder or store of an earlier run; empty: none
     std::string faces;    ///< what a face of an OBJ file or a mesh is: "group", "object", "material" or "polygon"
     bool closed = false;  ///< treat an OBJ file or a mesh as closed
+    std::optional<double> scale;             ///< what lengths of an OBJ file or a mesh are multiplied by
+    std::string up;                          ///< its axis that points up: "x", "y" or "z"; empty: not said
     studies::form_factors::Request request;  ///< except seed, threads and the meaning of level
     std::uint64_t seed = 1;
     std::optional<unsigned> threads;

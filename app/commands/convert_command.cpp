@@ -6,6 +6,7 @@
 #include "core/support/error.hpp"
 #include "reports/files/output_file.hpp"
 #include "reports/text/numbers.hpp"
+#include "studies/scene_files/formats.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "studies/scene_files/scene_writer.hpp"
 
@@ -42,7 +43,7 @@ const SceneFormat& format_of(const std::filesystem::path& file) {
                     file.string()));
 }
 
-/// Names without blanks and marks that OBJ and View3D would take for something else.
+/// Names that OBJ and View3D take for nothing else: without blanks and special characters, and not that of occluders.
 void make_words_of_names(Scene& scene) {
     std::size_t changed = 0;
     for (std::string& face : scene.faces) {
@@ -50,13 +51,15 @@ void make_words_of_names(Scene& scene) {
         std::replace_if(
             face.begin(), face.end(),
             [](char c) { return std::string_view(" \t#!,\\").find(c) != std::string_view::npos; }, '_');
+        if (face == studies::occluder_group) face += "_";
         const std::string word = face;
         for (std::size_t k = 2; face != before && std::count(scene.faces.begin(), scene.faces.end(), face) > 1; ++k)
             face = fmt::format("{}.{}", word, k);
         changed += face != before ? 1U : 0U;
     }
     if (changed > 0)
-        say("note: blanks and special characters in {} were replaced by _.\n", reports::counted(changed, "name"));
+        say("note: {} changed, since blanks and special characters mean something else there.\n",
+            changed == 1 ? "1 name was" : fmt::format("{} names were", changed));
 }
 
 }  // namespace

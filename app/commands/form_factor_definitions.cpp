@@ -20,13 +20,24 @@ void of_a_run(OptionDefinition& option) {
 void add_options_of_meshes(CommandDefinition& sub, FormFactorsCommand& command, bool may_load) {
     OptionDefinition& faces =
         sub.option("--faces", command.faces,
-                   "What a face of an OBJ file or a mesh is: group, object, material or polygon (default: what tells "
-                   "its polygons apart)",
+                   "What a face of an OBJ file or a mesh is: group, object, material or polygon (default: groups, or "
+                   "else materials)",
                    {.type = "FACES", .choices = {studies::obj_faces.begin(), studies::obj_faces.end()}});
     if (may_load) of_a_run(faces);
     OptionDefinition& closed =
         sub.option("--closed", command.closed, "An OBJ file or a mesh is closed: every ray hits something");
     if (may_load) of_a_run(closed);
+}
+
+/// Where the places of an OBJ file or a mesh are. Heat has a scale of its own, for every scene.
+void add_options_of_places(CommandDefinition& sub, FormFactorsCommand& command, bool may_load) {
+    OptionDefinition& scale =
+        sub.option("--scale", command.scale, "Multiply the lengths of an OBJ file or a mesh: 0.001 for millimetres");
+    if (may_load) of_a_run(scale);
+    OptionDefinition& up =
+        sub.option("--up", command.up, "The axis of an OBJ file or a mesh that points up; it becomes z",
+                   {.type = "AXIS", .choices = {studies::obj_axes.begin(), studies::obj_axes.end()}});
+    if (may_load) of_a_run(up);
 }
 
 }  // namespace
@@ -40,6 +51,7 @@ void add_form_factors(ProgramDefinition& program, FormFactorsCommand& command) {
         "SCENE", command.scene,
         fmt::format("cube, box:AxBxC, another built-in scene, or a file ({})", studies::scene_extensions_in_words())));
     add_options_of_meshes(sub, command, true);
+    add_options_of_places(sub, command, true);
     sub.option("--from", command.from,
                "Only factors from points: point:x,y,z,nx,ny,nz, or a CSV file with these columns",
                {.type = "POINTS",
@@ -52,7 +64,7 @@ void add_form_factors(ProgramDefinition& program, FormFactorsCommand& command) {
         sub.option("--relative", request.relative, "Or this share of the factor, where that is more: 0.01 for 1 %"));
     of_a_run(sub.option("--drop", request.drop, "Keep only sums of pairs with factors below this"));
     of_a_run(sub.option("--surroundings", request.surroundings,
-                        "Name of one face more, which receives what leaves an open scene", {.type = "NAME"}));
+                        "Name of an added face that receives what leaves an open scene", {.type = "NAME"}));
     of_a_run(sub.option("--level", request.level, "Level of the intervals", {.shows_default = true}));
     of_a_run(
         sub.option("--simultaneous", command.whole_matrix, "The level is that of all entries and row sums at once"));
@@ -66,11 +78,12 @@ void add_form_factors(ProgramDefinition& program, FormFactorsCommand& command) {
     of_a_run(sub.option("--shard", command.shard, "Sample share i/n of the rows; see 'ffstudy merge'",
                         {.type = "I/N", .needs = {"--out"}}));
     of_a_run(sub.option("--dry-run", command.dry_run, "Sample a few rows, show expected time, memory and disk"));
-    sub.option("--repair", request.repair, "Also the nearest matrix that is closed and reciprocal",
+    sub.option("--repair", request.repair, "Also find the nearest matrix that is closed and reciprocal",
                {.excludes = {"--drop"}});
     sub.option("--out", command.out, "Folder for the matrices (default: none is written)", {.type = "DIR"});
     of_a_run(sub.option("--randomisations", request.randomisations,
-                        "Also the 16 values behind each sampled entry, in randomisations.npz", {.needs = {"--out"}}));
+                        "Also write the 16 values behind each sampled entry (randomisations.npz)",
+                        {.needs = {"--out"}}));
     sub.option("--text", command.text, "matrix.csv and MatrixMarket files also of more than 4096 faces",
                {.needs = {"--out"}});
     sub.option("--format", command.formats,
@@ -87,6 +100,7 @@ void add_convert(ProgramDefinition& program, ConvertCommand& command) {
                {.is_required = true});
     sub.option("OUT", command.out, "File to write: .obj, .vs3 or .toml", {.type = "FILE", .is_required = true});
     add_options_of_meshes(sub, command.scene, false);
+    add_options_of_places(sub, command.scene, false);
     sub.option("--facets", command.facets,
                "Polygons around a full turn of a curved surface (default: it stays curved)");
     add_verbosity(sub, command.scene.quiet, "Print warnings and errors only");

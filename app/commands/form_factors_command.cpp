@@ -2,6 +2,7 @@
 #include "app/commands/form_factors/form_factor_prediction.hpp"
 #include "app/commands/form_factors/form_factor_rows.hpp"
 #include "app/commands/form_factors/form_factor_run.hpp"
+#include "app/commands/form_factors/scene_input.hpp"
 #include "app/commands/form_factors/sensor_factors.hpp"
 
 #include "app/command_line/common_options.hpp"
@@ -16,7 +17,6 @@
 #include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
-#include "core/visibility/mirrors.hpp"
 #include "reports/csv/form_factors_csv.hpp"
 #include "reports/files/matrix_files.hpp"
 #include "reports/files/sparse_npz.hpp"
@@ -33,7 +33,6 @@
 #include "studies/form_factors/repair.hpp"
 #include "studies/form_factors/store/store.hpp"
 #include "studies/heat/materials.hpp"
-#include "studies/readers/text_file.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
 #include <fmt/format.h>
@@ -56,38 +55,6 @@ const std::vector<std::string> matrix_files{
     "areas.mtx",        "areas.npy",          "repaired.mtx",     "repaired.npy",
     "repaired.npz",     "form_factors.json",  "intervals.csv",    "context.json",
     "report.html",      "randomisations.npz", rows_file};
-
-studies::SceneSource read_source(const FormFactorsCommand& command) {
-    const std::string& name = command.scene;
-    if (name.empty()) throw UserError("SCENE is missing. See 'ffstudy form_factors --help'.");
-    const bool is_changed = !command.faces.empty() || command.closed;
-    if (is_changed && !studies::is_read_as_obj(name))
-        throw UserError(
-            fmt::format("{}: '{}' is neither an OBJ file nor a mesh (others say it themselves). Leave it "
-                        "out.",
-                        command.closed ? "--closed" : "--faces " + command.faces, name));
-    studies::SceneSource source = studies::scene_source(name);
-    if (!source.is_file()) {
-        if (!std::filesystem::is_regular_file(name)) return source;
-        static_cast<void>(studies::read_text_file(name, studies::FileKind::scene));  // says so if it is something else
-        throw UserError(fmt::format("{}: its extension names no scene format ({}). Rename it.", name,
-                                    studies::scene_extensions_in_words()));
-    }
-    std::string text = studies::read_scene_file(source.name);
-    if (!command.faces.empty()) text = studies::with_obj_comment(text, "faces " + command.faces);
-    if (command.closed) text = studies::with_obj_comment(text, studies::closed_scene);
-    source.text = std::move(text);
-    return source;
-}
-
-Scene scene_without_mirrors(const studies::SceneSource& source) {
-    Scene scene = studies::make_scene(source);
-    if (mirrors(scene).empty()) return scene;
-    throw UserError(fmt::format(
-        "scene '{}': mirrors (pairs are computed one by one, which does not follow reflected light). Make it a study "
-        "with estimator = \"ray_shooting\", or leave them out.",
-        scene.name));
-}
 
 /// Files for a matrix, whose sizes decide which are written.
 class MatrixFiles {
@@ -173,9 +140,10 @@ studies::form_factors::Request request_of(const FormFactorsCommand& command) {
 }
 
 std::string in_words(const FormFactorsCommand& command) {
+    std::string of_mesh;
+    for (const std::string& option : said_of_mesh(command)) of_mesh += " --" + option;
     return fmt::format(
-        "ffstudy form_factors {}{} --tolerance {}{} --level {}{} --seed {}{}", command.scene,
-        (command.faces.empty() ? "" : " --faces " + command.faces) + (command.closed ? " --closed" : ""),
+        "ffstudy form_factors {}{} --tolerance {}{} --level {}{} --seed {}{}", command.scene, of_mesh,
         command.request.tolerance,
         (command.request.relative > 0 ? fmt::format(" --relative {}", command.request.relative) : "") +
             (command.request.drop > 0 ? fmt::format(" --drop {}", command.request.drop) : "") +

@@ -104,6 +104,12 @@ Scene placed(const Scene& scene, const Placement& placement) {
                    surface.shape);
     }
     if (result.empty_box) *result.empty_box /= placement.unit;
+    const auto scale_area = [&](double& area) { area /= placement.unit * placement.unit; };
+    for (CoveredPart& part : result.covered) {
+        scale_area(part.area);
+        scale_area(part.whole);
+    }
+    for (MaskedPart& part : result.masks) scale_area(part.area);
     result.coordinate_rounding /= placement.unit;
     return result;
 }

@@ -73,7 +73,7 @@ def _obj(vertices, faces, names):
     """The text of an OBJ file; numbers are written so that they read back to the same bits."""
     vertices = numpy.asarray(vertices, dtype=float)
     if vertices.ndim != 2 or vertices.shape[1] != 3:
-        raise InputError(f"vertices: an array of shape {vertices.shape} ((vertices, 3) is wanted). Give x, y, z.")
+        raise InputError(f"vertices: an array of shape {vertices.shape} (expected (vertices, 3)). Give x, y, z.")
     if names is not None and len(names) != len(faces):
         raise InputError(f"names: {len(names)} (there are {len(faces)} faces). Give one for each.")
     lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in vertices.tolist()]
@@ -106,7 +106,7 @@ def form_factors(scene: Optional[SceneFile] = None, *, vertices=None, faces: Opt
     Raises InputError, FileError; KeyboardInterrupt on Ctrl-C.
     """
     if (scene is None) == (vertices is None or faces is None):
-        raise InputError("form_factors: a scene, or vertices and faces (one of both is wanted). Give one.")
+        raise InputError("form_factors: a scene, or vertices and faces (expected one of the two). Give one.")
     name, text = _scene(scene) if scene is not None else ("polygons.obj", _obj(vertices, faces, names))
     found = _core.form_factors(name, text, tolerance, level, simultaneous, seed, _threads(threads), max_samples)
     return FormFactors(found.factors, found.half_widths, numpy.array(found.areas), found.names, found.missed,

@@ -53,14 +53,14 @@ def _rows(estimates):
     if names:
         return names, estimates.tolist()
     if not hasattr(estimates, "items"):
-        raise InputError(f"estimates: {type(estimates).__name__} (a file, a table, or trials by quantity are wanted). "
+        raise InputError(f"estimates: {type(estimates).__name__} (expected a file, a table, or trials by quantity). "
                          "Give {'quantity': array}.")
     rows = []
     for quantity, values in estimates.items():
         values = numpy.asarray(values, dtype=float)
         if values.ndim != 1:
-            raise InputError(f"estimates[{quantity!r}]: an array of shape {values.shape} (one number per trial is "
-                             "wanted). Give one quantity each a name.")
+            raise InputError(f"estimates[{quantity!r}]: an array of shape {values.shape} (expected one number per "
+                             "trial). Give each quantity a name of its own.")
         rows += [(trial, quantity, value) for trial, value in enumerate(values.tolist())]
     return ("trial", "quantity", "estimate"), rows
 

@@ -119,7 +119,7 @@ def _functions(kind, functions, defaults):
     for name, function in (functions or {}).items():
         function, options = function if isinstance(function, tuple) else (function, {})
         if not name.isidentifier():
-            raise InputError(f"{kind}: {name!r} (a name of a function is wanted). Use letters, digits and _.")
+            raise InputError(f"{kind}: {name!r} (expected a name of a function). Use letters, digits and _.")
         if not callable(function):
             raise InputError(f"{kind}[{name!r}]: {function!r} (not a function). Give one, or (function, options).")
         if not set(options) <= set(defaults):
@@ -145,7 +145,7 @@ class Study:
               "estimator": "ray_shooting", "samples_per_patch": "2^6..2^12"}])
         """
         if (text is None) == (methods is None):
-            raise InputError("Study: a text, or methods (one of both is wanted). Give one.")
+            raise InputError("Study: a text, or methods (expected one of the two). Give one.")
         self.text = text if text is not None else _to_toml({"name": "study", **study}, methods)
         self.origin = origin
 

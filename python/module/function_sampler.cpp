@@ -36,7 +36,7 @@ void call(PyObject* fill, const std::string& name, const samplers::SetRequest& r
         if (rows.ndim() != 2 || static_cast<std::uint64_t>(rows.shape(0)) != request.points ||
             static_cast<std::size_t>(rows.shape(1)) != request.dimension)
             throw UserError(
-                fmt::format("{}: returned an array of shape {} (({}, {}) is wanted). Return one row per point.", origin,
+                fmt::format("{}: returned an array of shape {} (expected ({}, {})). Return one row per point.", origin,
                             py::str(rows.attr("shape")).cast<std::string>(), request.points, request.dimension));
         samplers::set_of_rows(std::span(rows.data(), static_cast<std::size_t>(rows.size())), request.points,
                               request.dimension, origin, set);

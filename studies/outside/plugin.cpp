@@ -171,7 +171,7 @@ std::vector<const samplers::CatalogueEntry*> load_plugin(const std::filesystem::
     if (entry == nullptr)
         refuse(shown, "no function ffstudy_samplers (a plug-in has it). Include <ffstudy/plugin.h> and define it.");
     const ffstudy_plugin* const plugin = call(shown, entry);
-    if (plugin == nullptr) refuse(shown, "ffstudy_samplers returns a null pointer (its table is wanted). Mend it.");
+    if (plugin == nullptr) refuse(shown, "ffstudy_samplers returns a null pointer (expected its table). Mend it.");
     if (plugin->version != FFSTUDY_PLUGIN_VERSION)
         refuse(shown,
                fmt::format("made for version {} of the interface (this program has {}). Build it again with this "

@@ -35,7 +35,7 @@ class Numbers {
             for (const std::string_view word : split_words(line.substr(0, line.find('#')))) {
                 const auto value = parse_bare_number<std::uint64_t>(word);
                 if (!value)
-                    throw UserError(fmt::format("{}:{}: \"{}\" (a whole number is wanted here). Mark comments with #.",
+                    throw UserError(fmt::format("{}:{}: \"{}\" (expected a whole number). Mark comments with #.",
                                                 origin_, number, excerpt(word)));
                 numbers_.push_back(*value);
             }

@@ -34,7 +34,7 @@ std::pair<double, double> lengths(std::string_view name) {
     const double second = parse_bare_number<double>(parts.back()).value_or(0);
     const auto is_length = [](double value) { return value >= 1e-70 && value <= 1e70; };
     if (parts.size() != 2 || !is_length(first) || !is_length(second))
-        fail(name, "(two lengths from 1e-70 to 1e70 are wanted). Write it like cylinder:1x2.");
+        fail(name, "(expected two lengths from 1e-70 to 1e70). Write it like cylinder:1x2.");
     return {first, second};
 }
 

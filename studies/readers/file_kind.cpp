@@ -146,7 +146,7 @@ void expect_kind(FileKind wanted, std::string_view bytes, const std::filesystem:
     if (marks_of(bytes).contains(wanted)) return;
     const auto kind = kind_of(bytes);
     if (!kind) return;
-    throw UserError(fmt::format("{}: {} ({} is wanted here). Run '{}'.", file.string(), name_of(*kind), name_of(wanted),
+    throw UserError(fmt::format("{}: {} (expected {}). Run '{}'.", file.string(), name_of(*kind), name_of(wanted),
                                 command_for(*kind, file)));
 }
 

@@ -20,8 +20,7 @@ void expect_utf8(std::string_view text, const std::filesystem::path& file, FileK
     const std::size_t at = std::min(find_no_utf8(text), text.find('\0'));
     if (at == std::string_view::npos) return;
     if (const auto foreign = name_of_foreign(text); !foreign.empty())
-        throw UserError(
-            fmt::format("{}: {} ({} is wanted here). Check the name.", file.string(), foreign, name_of(wanted)));
+        throw UserError(fmt::format("{}: {} (expected {}). Check the name.", file.string(), foreign, name_of(wanted)));
     const std::string_view before = text.substr(0, at);
     throw UserError(fmt::format(
         "{}:{}:{}: the byte 0x{:02x} is not {} (no other encoding is read). Save the file as UTF-8.", file.string(),

@@ -121,7 +121,7 @@ std::vector<std::string> TomlReader::texts(std::string_view key) const {
     std::vector<std::string> values;
     for (const toml::node& item : *list) {
         const auto value = item.value_exact<std::string>();
-        if (!value || value->empty()) fail(key, "(a list of texts is wanted). Put each in quotes.");
+        if (!value || value->empty()) fail(key, "(expected a list of texts). Put each in quotes.");
         values.push_back(*value);
     }
     if (values.empty()) fail(key, "(an empty list leaves nothing to do). Name at least one.");
@@ -143,7 +143,7 @@ std::size_t TomlReader::index_of(std::string_view key, std::span<const std::stri
 std::optional<std::uint64_t> TomlReader::optional_count(std::string_view key) const {
     if (!has(key)) return std::nullopt;
     const auto values = counts(key);
-    if (values.size() != 1) fail(key, "(one number is wanted here, not a list). Give one.");
+    if (values.size() != 1) fail(key, "(expected one number, not a list). Give one.");
     return values.front();
 }
 
@@ -191,7 +191,7 @@ std::vector<double> TomlReader::numbers(std::string_view key) const {
     for (const toml::node& item : *list) {
         const auto value = item.value<double>();
         if (!value || !item.is_number() || !std::isfinite(*value))
-            fail(key, "(a list of finite numbers is wanted). Write it like [0.9, 1.1].");
+            fail(key, "(expected a list of finite numbers). Write it like [0.9, 1.1].");
         values.push_back(*value);
     }
     if (values.empty()) fail(key, "(an empty list leaves nothing to do). Give at least one number.");
@@ -202,11 +202,11 @@ std::vector<TomlReader> TomlReader::tables(std::string_view key) const {
     const toml::node* node = find(key);
     if (node == nullptr) return {};
     const toml::array* list = node->as_array();
-    if (list == nullptr) fail(key, fmt::format("(a list of tables is wanted). Write [[{}]].", key));
+    if (list == nullptr) fail(key, fmt::format("(expected a list of tables). Write [[{}]].", key));
     std::vector<TomlReader> readers;
     for (const toml::node& item : *list) {
         const toml::table* table = item.as_table();
-        if (table == nullptr) fail(key, "(a list of tables is wanted). Write each as { key = value }.");
+        if (table == nullptr) fail(key, "(expected a list of tables). Write each as { key = value }.");
         readers.emplace_back(*table, origin_);
     }
     return readers;
@@ -222,7 +222,7 @@ std::optional<TomlReader> TomlReader::optional_table(std::string_view key) const
     const toml::node* node = find(key);
     if (node == nullptr) return std::nullopt;
     const toml::table* table = node->as_table();
-    if (table == nullptr) fail(key, fmt::format("(a table is wanted). Write [{}].", key));
+    if (table == nullptr) fail(key, fmt::format("(expected a table). Write [{}].", key));
     return TomlReader(*table, origin_);
 }
 

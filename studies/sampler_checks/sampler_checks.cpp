@@ -280,7 +280,7 @@ SamplerChecks check_sampler(const samplers::CatalogueEntry& sampler, const Sampl
                      : SamplerVerdict::inconclusive,
              failed ? fmt::format("p = {:.2g} after Holm", adjusted[i])
                     : fmt::format("would be seen if {} {:.2g}{}", test.what, test.detectable,
-                                  sharp ? "" : fmt::format("; {} is wanted, {}", test.worst, test.sharper))});
+                                  sharp ? "" : fmt::format("; {} is required, {}", test.worst, test.sharper))});
     }
     structure.slices = drawn.slices;
     add_structure(request, structure, result);

@@ -105,9 +105,7 @@ std::string canonical_of(const Scene& scene) {
 }  // namespace
 
 int SceneBuilder::face(const std::string& label, std::uint64_t line) {
-    const auto number = static_cast<int>(scene_.faces.size());
-    const auto [entry, is_new] = faces_.try_emplace(label, number);
-    if (!is_new) return entry->second;
+    if (const auto known = faces_.find(label); known != faces_.end()) return known->second;
     if (const auto problem = problem_with_name(label); !problem.empty())
         fail(line, fmt::format("face '{}' {}", excerpt(label), problem));
     const bool is_of_sums = std::find(labels_of_sums.begin(), labels_of_sums.end(), label) != labels_of_sums.end();
@@ -116,21 +114,22 @@ int SceneBuilder::face(const std::string& label, std::uint64_t line) {
         remark(fmt::format("face '{}' is called '{}', since results have sums under that name", label, name));
     }
     scene_.faces.push_back(name);
-    return number;
+    return faces_[label] = static_cast<int>(scene_.faces.size()) - 1;
 }
 
-std::string SceneBuilder::reserve_name(const std::string& label, bool numbered) {
+std::string SceneBuilder::free_name(const std::string& label, bool numbered) const {
     std::string name = label;
-    for (std::size_t k = 2; numbered || names_.count(name) > 0; ++k, numbered = false)
+    for (std::size_t k = 2; numbered || faces_.contains(name) || names_.contains(name); ++k, numbered = false)
         name = fmt::format("{}.{}", label, k);
-    names_.insert(name);
     return name;
 }
 
+std::string SceneBuilder::reserve_name(const std::string& label, bool numbered) {
+    return *names_.insert(free_name(label, numbered)).first;
+}
+
 int SceneBuilder::new_face(const std::string& label, std::uint64_t line) {
-    std::string own = label;
-    for (std::size_t k = 2; faces_.count(own) > 0 || names_.count(own) > 0; ++k) own = fmt::format("{}.{}", label, k);
-    return face(own, line);
+    return face(free_name(label), line);
 }
 
 std::string SceneBuilder::owner(int face) const {

@@ -58,6 +58,7 @@ class SceneBuilder {
 
   private:
     [[nodiscard]] std::string owner(int face) const;
+    [[nodiscard]] std::string free_name(const std::string& label, bool numbered = false) const;
     void turn_surfaces();
     void leave_out_doubles();
     void note(const Eigen::Vector3d& place);

@@ -3,6 +3,7 @@
 #include "studies/scene_files/meshes/surface_mesh.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
+#include "core/geometry/placement.hpp"
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
 #include "core/support/words.hpp"
@@ -21,6 +22,9 @@
 namespace ff::studies {
 namespace {
 
+constexpr char up_in_scenes = 'z';
+constexpr std::string_view before_scale = "scale ";
+
 /// What a polygon belongs to, by number of the name.
 struct Owners {
     std::size_t group = 0;     ///< that of `g`, or of `o` where there is none
@@ -32,6 +36,12 @@ struct Polygon {
     std::uint64_t line = 0;
     Owners owners;
     std::vector<std::int64_t> corners;  ///< numbers of vertices, from 0, which may still be to come
+    std::int64_t vertices_before = 0;   ///< that the file has above it
+
+    /// A number of a vertex that there is not, as the file has it.
+    [[nodiscard]] std::int64_t written(std::int64_t vertex) const {
+        return vertex < 0 ? vertex - vertices_before : vertex + 1;
+    }
 };
 
 /// Names by number, in the order of their first use; the first is empty.
@@ -80,7 +90,9 @@ class ObjReader {
     SceneWithMaterials finish() {
         choose_faces();
         for (const Polygon& polygon : polygons_) add(polygon);
-        Scene scene = builder_.finish(closed_, &materials_);
+        if (scale_ != 1) builder_.remark(fmt::format("its lengths are multiplied by {}", scale_));
+        if (up_ != up_in_scenes) builder_.remark(fmt::format("its {} axis, which points up, becomes the z axis", up_));
+        Scene scene = placed(builder_.finish(closed_, &materials_), {Eigen::Vector3d::Zero(), 1 / scale_});
         materials_.resize(scene.faces.size());
         return {std::move(scene), std::move(materials_)};
     }
@@ -95,6 +107,8 @@ class ObjReader {
     Owners owners_;
     std::string faces_;  ///< what a face is; empty: not said
     bool closed_ = false;
+    double scale_ = 1;
+    char up_ = up_in_scenes;
     std::unordered_map<std::size_t, std::size_t> polygons_of_;  ///< by name, so far
     std::vector<FaceMaterial> materials_;
 
@@ -114,7 +128,8 @@ class ObjReader {
 
     void read_polygon(std::uint64_t line, const Words& words) {
         if (words.size() < 4) builder_.fail(line, "a polygon needs three corners or more. Remove it.");
-        Polygon& polygon = polygons_.emplace_back(Polygon{line, owners_, {}});
+        Polygon& polygon =
+            polygons_.emplace_back(Polygon{line, owners_, {}, static_cast<std::int64_t>(vertices_.size())});
         for (std::size_t corner = 1; corner < words.size(); ++corner)
             polygon.corners.push_back(vertex_of(line, corner, words[corner]));
     }
@@ -139,6 +154,13 @@ class ObjReader {
         if (comment.starts_with(meshes::volume_cells_comment)) read_volume_cells(comment);
         for (const std::string_view by : obj_faces) {
             if (comment == fmt::format("faces {}", by)) faces_ = by;
+        }
+        for (const std::string_view axis : obj_axes) {
+            if (comment == fmt::format("up {}", axis)) up_ = axis.front();
+        }
+        if (comment.starts_with(before_scale)) {
+            const double scale = finite_number(std::string_view(comment).substr(before_scale.size())).value_or(0);
+            if (is_scale(scale)) scale_ = scale;
         }
     }
 
@@ -186,13 +208,20 @@ class ObjReader {
         return faces_ == "polygon" ? fmt::format("{}.{}", label, ++polygons_of_[name]) : label;
     }
 
+    /// A place turned so that z points up.
+    [[nodiscard]] Eigen::Vector3d upright(const Eigen::Vector3d& place) const {
+        if (up_ == 'x') return {place.y(), place.z(), place.x()};
+        if (up_ == 'y') return {place.x(), -place.z(), place.y()};
+        return place;
+    }
+
     void add(const Polygon& polygon) {
         std::vector<Eigen::Vector3d> corners;
         for (const std::int64_t vertex : polygon.corners) {
             if (vertex < 0 || vertex >= static_cast<std::int64_t>(vertices_.size()))
-                builder_.fail(polygon.line, fmt::format("corner {} is vertex {}, of {}. Correct the index.",
-                                                        corners.size() + 1, vertex + 1, vertices_.size()));
-            corners.push_back(vertices_[static_cast<std::size_t>(vertex)]);
+                builder_.fail(polygon.line, fmt::format("corner {} is vertex {} (the file has {}). Correct the index.",
+                                                        corners.size() + 1, polygon.written(vertex), vertices_.size()));
+            corners.push_back(upright(vertices_[static_cast<std::size_t>(vertex)]));
         }
         if (!builder_.has_area(corners, polygon.line)) return;
         int face = no_face;
@@ -211,6 +240,10 @@ class ObjReader {
 };
 
 }  // namespace
+
+bool is_scale(double factor) {
+    return factor >= 1e-9 && factor <= 1e9;
+}
 
 std::string with_obj_comment(std::string_view text, std::string_view comment) {
     return fmt::format("{}\n# {}\n", text, comment);

@@ -14,7 +14,7 @@ constexpr std::size_t most_lines_named = 3;
 /// What is said of one polygon, and of several.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 5> words_of_changes{{
     {"has no area and is left out", "have no area and are left out"},
-    {"is given twice and is left out once", "are given twice and are left out once"},
+    {"is a copy of another and is left out", "are copies of others and are left out"},
     {"is not plane and is divided into triangles", "are not plane and are divided into triangles"},
     {"is not convex and is divided into triangles", "are not convex and are divided into triangles"},
     {"is wound in the opposite direction to the rest of its face and is turned round",
@@ -34,11 +34,14 @@ std::vector<std::string> PolygonChanges::in_words() const {
         if (lines.empty()) continue;
         std::sort(lines.begin(), lines.end());
         const std::size_t count = lines.size();
-        lines.resize(std::min(count, most_lines_named));
+        lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+        const std::size_t left = lines.size() - std::min(lines.size(), most_lines_named);
+        lines.resize(lines.size() - left);
         const auto& [one, many] = words_of_changes[kind];
         std::string text = count == 1 ? fmt::format("a polygon {} (line {}", one, lines[0])
-                                      : fmt::format("{} polygons {} (lines {}", count, many, fmt::join(lines, ", "));
-        if (count > most_lines_named) text += fmt::format(" and {} more", count - most_lines_named);
+                                      : fmt::format("{} polygons {} ({} {}", count, many,
+                                                    lines.size() == 1 ? "line" : "lines", fmt::join(lines, ", "));
+        if (left > 0) text += fmt::format(" and {} more", left);
         texts.push_back(text + ")");
     }
     return texts;

@@ -23,8 +23,13 @@ std::string read_scene_file(const std::filesystem::path& file);
 
 /// What a face of an OBJ file is, as in its comment "faces group".
 inline constexpr std::array<std::string_view, 4> obj_faces{"group", "object", "material", "polygon"};
+/// Which axis of an OBJ file points up, as in its comment "up y"; it becomes z.
+inline constexpr std::array<std::string_view, 3> obj_axes{"x", "y", "z"};
 /// A comment of OBJ files: every ray hits something.
 inline constexpr std::string_view closed_scene = "closed";
+
+/// Whether lengths of an OBJ file can be multiplied so, as its comment "scale 0.001" asks: 1e-9 to 1e9.
+bool is_scale(double factor);
 
 /// The text of an OBJ file, or of a converted mesh, with such a comment.
 std::string with_obj_comment(std::string_view text, std::string_view comment);

@@ -19,7 +19,7 @@ constexpr std::uint64_t most_parts = 1024;
 
 Vector3d vector(const TomlReader& reader, std::string_view key) {
     const std::vector<double> numbers = reader.numbers(key);
-    if (numbers.size() != 3) reader.fail(key, "(three coordinates are wanted). Write [1, 0, 0.5].");
+    if (numbers.size() != 3) reader.fail(key, "(expected three coordinates). Write [1, 0, 0.5].");
     return {numbers[0], numbers[1], numbers[2]};
 }
 
@@ -60,7 +60,7 @@ void expect_only(const TomlReader& reader, Names own) {
 Grid read_grid(const TomlReader& reader) {
     if (!reader.has("grid")) return undivided;
     const std::vector<std::uint64_t> parts = reader.counts("grid");
-    if (parts.size() != 2) reader.fail("grid", "(parts along s and along t are wanted). Write [4, 1].");
+    if (parts.size() != 2) reader.fail("grid", "(expected parts along s and along t). Write [4, 1].");
     for (const std::uint64_t count : parts) {
         if (count < 1 || count > most_parts)
             reader.fail("grid", fmt::format("(a surface has 1 to {} parts each way). Write [4, 1].", most_parts));

@@ -56,16 +56,17 @@ class Vs3Reader {
             case 'T':
                 return;
             default:
-                builder_.fail(line, fmt::format("'{}' begins no line of a View3D file. Begin it with T, C, F, V, S, O, "
-                                                "M, N or E, or with ! for a comment.",
-                                                excerpt(words[0])));
+                builder_.fail(line,
+                              fmt::format("no line of a View3D file begins with '{}'. Begin it with T, C, F, V, S, "
+                                          "O, M, N or E, or with ! for a comment.",
+                                          excerpt(words[0])));
         }
     }
 
     SceneWithMaterials finish() {
         if (pending_)
             builder_.fail(surfaces_.back().line,
-                          fmt::format("numbers are missing: {} of {} are there. Write the rest on the next line.",
+                          fmt::format("numbers are missing: it has {} of {}. Write the rest on the next line.",
                                       pending_->numbers.size(), pending_->wanted()));
         for (const Vs3Surface& surface : surfaces_) add(surface);
         if (closed_ && !masks_.empty())
@@ -120,8 +121,8 @@ class Vs3Reader {
         const long index = number(line, words, 1);
         if (!vertices_.emplace(index, place).second)
             builder_.fail(
-                line,
-                fmt::format("vertex {} is there twice (surfaces could mean either). Give one another number.", index));
+                line, fmt::format("vertex {} is defined twice (surfaces could mean either). Give one another number.",
+                                  index));
     }
 
     /// Fields 2 to 5 after the surface's number; a triangle has a 0 in the last.
@@ -133,7 +134,7 @@ class Vs3Reader {
             const auto found = vertices_.find(index);
             if (found == vertices_.end()) {
                 builder_.fail(line,
-                              fmt::format("vertex {} is not there (vertices come first). Correct the index.", index));
+                              fmt::format("vertex {} is not defined (vertices come first). Correct the index.", index));
             }
             all.push_back(found->second);
         }
@@ -150,7 +151,7 @@ class Vs3Reader {
             next = 3;
             const char shape = words.size() > 2 ? upper(words[2].front()) : ' ';
             if (shape != 'R' && shape != 'T' && shape != 'Q')
-                builder_.fail(line, fmt::format("field 3 is {} (a shape is wanted). Write R for a rectangle, T for a "
+                builder_.fail(line, fmt::format("field 3 is {} (expected a shape). Write R for a rectangle, T for a "
                                                 "triangle or Q for a quadrilateral.",
                                                 word_at(words, 2)));
             pending_ = Vs3Shape{shape, {}};
@@ -167,9 +168,9 @@ class Vs3Reader {
         }
         if (surface.name.empty()) surface.name = std::to_string(surface.number);
         if (!by_number_.emplace(surface.number, surfaces_.size()).second)
-            builder_.fail(line,
-                          fmt::format("surface {} is there twice (others could mean either). Give one another number.",
-                                      surface.number));
+            builder_.fail(
+                line, fmt::format("surface {} is defined twice (others could mean either). Give one another number.",
+                                  surface.number));
         if (surface.base != 0) parts_[surface.base].push_back(surfaces_.size());
         surfaces_.push_back(std::move(surface));
     }
@@ -178,7 +179,7 @@ class Vs3Reader {
         for (std::size_t k = 0; k < words.size() && pending_->numbers.size() < pending_->wanted(); ++k) {
             const auto value = finite_number(words[k]);
             if (!value)
-                builder_.fail(line, fmt::format("field {} is {} (number {} of {} of surface {} is wanted). Write it "
+                builder_.fail(line, fmt::format("field {} is {} (expected number {} of {} of surface {}). Write it "
                                                 "there.",
                                                 k + 1, word_at(words, k), pending_->numbers.size() + 1,
                                                 pending_->wanted(), surfaces_.back().number));
@@ -259,7 +260,12 @@ class Vs3Reader {
             for (const std::size_t part : found->second) parts.push_back(&surfaces_[part]);
         }
         if (parts.empty()) return builder_.add_polygon(surface.corners, face, surface.line);
-        for (const ConvexPolygon& piece : left_of_base(surface, parts)) builder_.add_polygon(piece, face, surface.line);
+        const auto pieces = left_of_base(surface, parts);
+        if (pieces.empty())
+            builder_.fail(surface.line, fmt::format("nothing is left of surface {}, since others cover it. Remove it, "
+                                                    "and write 0 for the base of the others.",
+                                                    surface.number));
+        for (const ConvexPolygon& piece : pieces) builder_.add_polygon(piece, face, surface.line);
     }
 
     /// A surface that faces its base, and takes a part of it out of sight.

@@ -18,7 +18,7 @@ struct Winding {
 };
 
 /// Of polygons that are joined by edges with exactly two of them, those with the smaller area are turned; where both
-/// have the same, those that then see more of other faces.
+/// have the same, those that see more of other faces once they are turned.
 Winding find_winding(const Scene& scene);
 
 /// Two faces that run through a common edge in the same direction: one of them may face the wrong way.

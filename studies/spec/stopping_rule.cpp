@@ -14,7 +14,7 @@ StoppingRule read_stopping_rule(const TomlReader& reader, std::uint64_t trials) 
     reader.expect_only({"rmse", "ci", "pilot"});
     StoppingRule rule;
     if (reader.has("rmse") == reader.has("ci")) {
-        reader.fail("rmse", "(one goal is wanted: rmse or ci). Write one of them, e.g. ci = 1e-5.");
+        reader.fail("rmse", "(expected one goal: rmse or ci). Write one of them, e.g. ci = 1e-5.");
     }
     rule.goal = reader.has("rmse") ? StoppingGoal::rmse : StoppingGoal::ci;
     rule.target = *reader.optional_number(name(rule.goal));
@@ -32,7 +32,7 @@ StoppingRule parse_stopping_rule(std::string_view text) {
     const auto fail = [&](std::string_view why) {
         return UserError(fmt::format("--until {} ({}). Write rmse=1e-5 or ci=1e-5.", text, why));
     };
-    if (equals == std::string_view::npos) throw fail("a goal and its value are wanted");
+    if (equals == std::string_view::npos) throw fail("expected a goal and its value");
     const auto goal = value_named<StoppingGoal>(text.substr(0, equals));
     if (!goal) throw fail("the goals are rmse and ci");
     const double target = parse_bare_number<double>(text.substr(equals + 1)).value_or(0);

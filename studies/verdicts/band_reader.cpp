@@ -27,8 +27,7 @@ Band read_ends(const TomlReader& reader, const std::vector<double>& ends) {
 }
 
 double read_width(const TomlReader& reader, const std::vector<double>& numbers, std::string_view suggestion) {
-    if (numbers.size() != 1)
-        reader.fail("band", fmt::format("(one number is wanted here, not a list). Try {}.", suggestion));
+    if (numbers.size() != 1) reader.fail("band", fmt::format("(expected one number, not a list). Try {}.", suggestion));
     if (numbers[0] == 0)
         reader.fail("band",
                     fmt::format("(a band of zero width: no number of trials shows an effect of exactly nothing). "

@@ -66,7 +66,7 @@ def test_functions_can_be_of_fewer_coordinates_and_fixed():
 
 
 @pytest.mark.parametrize("fill, message", [
-    (lambda n, d, seed, trial: numpy.zeros((n, d + 1)), r"shape \(16, 5\) \(\(16, 4\) is wanted\)"),
+    (lambda n, d, seed, trial: numpy.zeros((n, d + 1)), r"shape \(16, 5\) \(expected \(16, 4\)\)"),
     (lambda n, d, seed, trial: numpy.ones((n, d)), "point 0, coordinate 0 is 1 .*not in"),
     (lambda n, d, seed, trial: numpy.full((n, d), numpy.nan), "coordinate 0 is nan"),
     (lambda n, d, seed, trial: "points", "returned no array of numbers"),

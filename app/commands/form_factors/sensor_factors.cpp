@@ -55,7 +55,7 @@ std::vector<Sensor> read_sensors(const std::string& from) {
             const auto value = parts.size() == numbers.size() ? finite_number(trimmed(parts[k])) : std::nullopt;
             if (!value)
                 throw UserError(
-                    fmt::format("--from {} (six numbers are wanted: a place and a normal). Write "
+                    fmt::format("--from {} (expected six numbers: a place and a normal). Write "
                                 "point:0.5,0.5,1,0,0,1.",
                                 from));
             numbers[k] = *value;
@@ -87,6 +87,12 @@ std::vector<Sensor> read_sensors(const std::string& from) {
     return sensors;
 }
 
+/// Whether a factor is more than what rounding leaves of a face that cannot be seen.
+bool is_seen(const PointFactor& factor) {
+    constexpr double rounding = 1e-12;
+    return factor.value > 0 || factor.high > rounding;
+}
+
 std::string half_of(const PointFactor& factor) {
     return reports::to_error(factor.value, std::max(factor.high - factor.value, factor.value - factor.low));
 }
@@ -96,7 +102,7 @@ void print_factors(const Scene& scene, const std::vector<std::vector<PointFactor
                          {},        {}};
     for (std::size_t point = 0; point < std::min(most_shown, factors.size()); ++point) {
         for (std::size_t face = 0; face < scene.faces.size(); ++face) {
-            if (factors[point][face].high == 0) continue;
+            if (!is_seen(factors[point][face])) continue;
             table.rows.push_back({reports::plain_cell(std::to_string(point + 1)),
                                   reports::plain_cell(scene.faces[face]),
                                   reports::plain_cell(half_of(factors[point][face]))});
@@ -114,7 +120,7 @@ void write_factors(std::ostream& out, const Scene& scene, const std::vector<Sens
         const auto& [place, normal] = sensors[point];
         for (std::size_t face = 0; face < scene.faces.size(); ++face) {
             const PointFactor& factor = factors[point][face];
-            if (factor.high == 0) continue;
+            if (!is_seen(factor)) continue;
             out << fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", point + 1, reports::exact(place.x()),
                                reports::exact(place.y()), reports::exact(place.z()), reports::exact(normal.x()),
                                reports::exact(normal.y()), reports::exact(normal.z()),

@@ -29,7 +29,7 @@ f 1 3 5 2"
 for number in nan inf 1e999 1x; do
     refuse a.obj "a.obj:1: a vertex needs three finite coordinates" <<<"v 0 0 $number"
 done
-refuse a.obj "a.obj:6: corner 3 is vertex 9, of 4" <<<"$square
+refuse a.obj "a.obj:6: corner 3 is vertex 9 (the file has 4)" <<<"$square
 g a
 f 1 2 9"
 refuse a.obj "a.obj:9: a surface of face 'b' is the same as a surface of face 'a' of line 6" <<<"$square
@@ -67,7 +67,7 @@ normal = [0, 0, 1]
 grid = $grid
 radius = 1"
 done
-refuse a.vs3 "a.vs3:5: vertex 9 is not there" <<<'F 3
+refuse a.vs3 "a.vs3:5: vertex 9 is not defined" <<<'F 3
 V 1 0 0 0
 V 2 1 0 0
 V 3 1 1 0

@@ -49,14 +49,14 @@ refuse() {
         file=$files/$kind
         [ "$wanted" != obj ] || { file=$folder/$kind.obj && cp "$files/$kind" "$file"; }
         ffstudy "${@/\{\}/$file}"
-        expect_refused 2 "$file: $(what $kind) ($(what "$wanted") is wanted here). Run 'ffstudy $(taken_by $kind "$file")'."
+        expect_refused 2 "$file: $(what $kind) (expected $(what "$wanted")). Run 'ffstudy $(taken_by $kind "$file")'."
     done
 }
 # What no command takes is named too.
 foreign() {
     printf "$1" >"$folder/picture"
     ffstudy run "$folder/picture"
-    expect_refused 2 "picture: $2 (a study file is wanted here). Check the name."
+    expect_refused 2 "picture: $2 (expected a study file). Check the name."
 }
 foreign '\x89PNG\r\n\x1a\n\0' "a PNG picture"
 foreign 'PK\x03\x04\0' "a ZIP archive (as .npz is)"
@@ -84,7 +84,7 @@ done
 
 # What has no ending of a scene, and what is no file at all.
 ffstudy form_factors "$files/study"
-expect_refused 2 "a study file (a scene file is wanted here). Run 'ffstudy run $files/study'."
+expect_refused 2 "a study file (expected a scene file). Run 'ffstudy run $files/study'."
 ffstudy form_factors "$files/obj"
 expect_refused 2 "its extension names no scene format (.obj, .toml, .vs3, .stl, .ply, .off, .gltf, .glb, .vtk, .vtu, .vtp, .msh). Rename it."
 /usr/bin/python3 -c 'import sys; sys.stdout.buffer.write(bytes(80) + b"\1\0\0\0" + bytes(50))' >"$folder/stl.obj"

@@ -111,6 +111,6 @@ refused '[materials]\n"*" = { emissivity = 0.5, flux = 0 }\n' "have a flux and n
 refused '[materials]\n7 = { emissivity = 0.5, flux = 0 }\n' "the scene has no face '7'"
 refused '[materials]\n"*" = { emissivity = 2, flux = 0 }\n' "wrong.toml:2:"
 ffstudy heat cube --materials "$folder/furnace.obj"
-expect_refused 2 "a scene file (a materials file is wanted here)"
+expect_refused 2 "a scene file (expected a materials file)"
 ffstudy heat cube --materials missing.toml
 expect_refused 3 "missing.toml"

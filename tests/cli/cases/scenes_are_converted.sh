@@ -41,7 +41,7 @@ expect_stderr "Add --facets 32"
 ffstudy convert spheres.toml spheres.obj --facets 12
 expect_status 0
 expect_stderr "2 curved surfaces became polygons that are off by at most 0.136"
-expect_stderr "special characters in 1 name were replaced by _"
+expect_stderr "1 name was changed, since blanks"
 ffstudy form_factors spheres.obj --tolerance 1e-2 --out spheres --quiet
 expect_status 0
 awk -F, '$1 == "inner_sphere" && $2 == "outer" {found = $3 > 0.99 && $3 < 1.01} END {exit !found}' spheres/matrix.csv ||
@@ -52,3 +52,25 @@ expect_stderr "names no format that scenes are written in"
 ffstudy convert spheres.toml spheres.obj --facets 2
 expect_status 2
 expect_stderr "--facets 2"
+
+# Lengths in millimetres, and an axis that points up as in Blender and Maya: the same factors, in another place.
+ffstudy convert furnace.obj upright.obj --up y --scale 0.001
+expect_status 0
+expect_stderr "its lengths are multiplied by 0.001"
+expect_stderr "its y axis, which points up, becomes the z axis"
+ffstudy form_factors upright.obj --tolerance 1e-3 --out upright --quiet
+expect_status 0
+ffstudy form_factors furnace.obj --up y --scale 0.001 --tolerance 1e-3 --out option --quiet
+expect_status 0
+for folder in option upright; do awk 'FNR > 2 {printf "%.9e\n", $NF}' $folder/areas.mtx >$folder.areas; done
+expect_equal_files option.areas upright.areas
+for folder in option upright; do
+    awk -F, 'NR == FNR {v[$1 FS $2] = $3; next} FNR > 1 && ($3 - v[$1 FS $2])^2 > 4e-6 {exit 1}' \
+        0/matrix.csv $folder/matrix.csv || fail "expected the factors of furnace.obj"
+done
+ffstudy convert 1.vs3 x.obj --up y
+expect_status 2
+expect_stderr "--up y: '1.vs3' is neither an OBJ file nor a mesh"
+ffstudy convert furnace.obj x.obj --scale 0
+expect_status 2
+expect_stderr "--scale 0 (1e-9 to 1e9)"

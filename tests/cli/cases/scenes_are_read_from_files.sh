@@ -57,11 +57,11 @@ refuse() {
     ffstudy run "$folder/study.toml" --out out
     expect_refused 2 "$2"
 }
-refuse a.obj "a.obj:4: corner 3 is vertex 9, of 2. Correct the index." <<<'v 0 0 0
+refuse a.obj "a.obj:4: corner 3 is vertex 9 (the file has 2). Correct the index." <<<'v 0 0 0
 v 1 0 0
 g a
 f 1 2 9'
-refuse a.vs3 "a.vs3:2: 'Q' begins no line of a View3D file." <<<'F 3
+refuse a.vs3 "a.vs3:2: no line of a View3D file begins with 'Q'." <<<'F 3
 Q'
 refuse a.toml "a.toml:1:12: shape: missing" <<<'surface = [{ face = "a" }]'
 refuse b.toml "point_to_polygon cannot be used in scene 'b.toml' (not all of its surfaces are parallelograms)" point_to_polygon <<<'

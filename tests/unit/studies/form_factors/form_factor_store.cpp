@@ -239,10 +239,10 @@ TEST_F(FormFactorStore, IsRefusedIfItIsAnotherKindOfFile) {
     EXPECT_THAT(refusal<UserError>(), HasSubstr("no SQLite file"));
     std::filesystem::remove(file());
     test::run(test::plan_of(test::study_text("trials = 2", test::random_rays)), file());
-    EXPECT_THAT(refusal<UserError>(), HasSubstr("a result store (a store of form factors is wanted here)"));
+    EXPECT_THAT(refusal<UserError>(), HasSubstr("a result store (expected a store of form factors)"));
     save(kept);
     EXPECT_THAT(message_of<UserError>([&] { Store::open(file()); }),
-                HasSubstr("a store of form factors (a result store is wanted here)"));
+                HasSubstr("a store of form factors (expected a result store)"));
     Database(file(), Database::Mode::create_or_open).execute("UPDATE about SET value = 4 WHERE key = 'schema_version'");
     EXPECT_THAT(refusal<UserError>(), HasSubstr("schema version 4 (this program reads 1 to 3)"));
 }

@@ -67,11 +67,30 @@ TEST(RealObjFiles, HaveFacesByWhatTellsPolygonsApart) {
     EXPECT_THAT(read_cube(of_objects + "# faces polygon\n").faces, ElementsAre("a.1", "b.1", "c.1"));
 }
 
+TEST(RealObjFiles, HaveAScaleAndAnAxisThatPointsUp) {
+    const std::string floor = "f 1 2 3 4\n";
+    const auto box_of = [&](const std::string& comments) {
+        return box_around(read_cube(floor + comments).surfaces.front());
+    };
+    const Eigen::AlignedBox3d plain = box_of("");
+    EXPECT_EQ(box_of("# scale 0.001\n").max(), plain.max() / 1000);
+    // The floor z = 0 faces along z, which each turn takes to the axis that it belongs on.
+    EXPECT_EQ(read_cube(floor).surfaces.front().normal, Eigen::Vector3d(0, 0, 1));
+    EXPECT_EQ(read_cube(floor + "# up y\n").surfaces.front().normal, Eigen::Vector3d(0, -1, 0));
+    EXPECT_EQ(read_cube(floor + "# up x\n").surfaces.front().normal, Eigen::Vector3d(0, 1, 0));
+    EXPECT_EQ(read_cube(floor + "# up z\n").surfaces.front().normal, Eigen::Vector3d(0, 0, 1));
+    EXPECT_THAT(read_cube(floor + "# scale 0.001\n# up y\n").remarks,
+                ElementsAre("its lengths are multiplied by 0.001", HasSubstr("its y axis")));
+    // Comments that mean something else are passed over.
+    EXPECT_THAT(read_cube(floor + "# scale\n# scale of nothing\n# scale 0\n# scale -2\n# up to date\n").remarks,
+                IsEmpty());
+}
+
 TEST(RealObjFiles, HaveSliversAndDoublesWhichAreLeftOut) {
     const Scene scene = read_cube("v 2 0 0\ng floor\nf 1 2 3 4\nf 3 4 1 2\nf 1 2 9\nf 1 1 2\n");
     EXPECT_EQ(scene.surfaces.size(), 1u);
     EXPECT_THAT(scene.remarks, ElementsAre("2 polygons have no area and are left out (lines 13, 14)",
-                                           "a polygon is given twice and is left out once (line 12)"));
+                                           "a polygon is a copy of another and is left out (line 12)"));
 }
 
 TEST(RealObjFiles, HaveConcaveAndTwistedPolygonsWhichAreDivided) {

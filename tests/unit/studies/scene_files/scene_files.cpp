@@ -130,7 +130,7 @@ TEST(SceneFiles, RefuseInvalidGrids) {
     for (const char* line : {"grid = [1, 0]", "grid = [1025, 1]", "grid = [1, 9223372036854775807]"})
         EXPECT_THAT(message(line), HasSubstr("(a surface has 1 to 1024 parts each way)")) << line;
     for (const char* line : {"grid = 3", "grid = [1, 2, 3]", "grid = [1]"})
-        EXPECT_THAT(message(line), HasSubstr("(parts along s and along t are wanted)")) << line;
+        EXPECT_THAT(message(line), HasSubstr("(expected parts along s and along t)")) << line;
     for (const char* line :
          {"grid = [-1, 1]", "grid = [1.5, 1]", "grid = [1, \"2\"]", "grid = true", "grid = [nan, 1]"})
         EXPECT_THAT(message(line), HasSubstr("a.toml:4:8: grid = ")) << line;
@@ -208,6 +208,7 @@ TEST(SceneFiles, AreRefusedByFileAndLine) {
         {"a.obj", obj + "g a\nf 1 2 2\n", "a.obj: ", "no face"},
         {"a.obj", obj + "g a\nf 1 3 6 2\n", "a.obj:8: ", "cross each other"},
         {"a.obj", obj + "g a\nf 1 2 9\n", "a.obj:8: ", "vertex 9"},
+        {"a.obj", obj + "v 1 0 1\ng a\nf 1 2 -9\n", "a.obj:9: ", "corner 3 is vertex -9 (the file has 7)"},
         {"a.obj", obj + "v nan 0 0\n", "a.obj:7: ", "three finite coordinates"},
         {"a.obj", obj + "v 1 inf 0\n", "a.obj:7: ", "three finite coordinates"},
         {"a.obj", obj + "v 1 2\n", "a.obj:7: ", "three finite coordinates"},
@@ -218,17 +219,19 @@ TEST(SceneFiles, AreRefusedByFileAndLine) {
         {"a.vs3", vs3 + "S 1 1 2 3 0 0 0 0.9 a\x01\n", "a.vs3:5: ", "would break tables"},
         {"a.toml", "[[surface]]\nface = \"a\\nb\"\n" + shape, "a.toml:1:", "would break tables"},
         {"a.obj", obj + "v 1e200 0 0\ng a\nf 1 2 7\n", "a.obj:9: ", "reaches beyond"},
-        {"a.vs3", vs3 + "S 1 1 2 7 0\n", "a.vs3:5: ", "vertex 7 is not there"},
+        {"a.vs3", vs3 + "S 1 1 2 7 0\n", "a.vs3:5: ", "vertex 7 is not defined"},
         {"a.vs3", vs3 + "V 3 0 0 0\n", "a.vs3:5: ", "twice"},
         {"a.vs3", vs3 + "S 1 1 2 3 0 4 0 0.9 a\n", "a.vs3:5: ", "lies on surface 4, which does not come before"},
         {"a.vs3", vs3 + "N 1 1 2 3 0 0 0 0.9 a\n", "a.vs3:5: ", "has no base"},
+        {"a.vs3", vs3 + "S 1 1 2 3 0 0 0 0.9 wall\nS 2 1 2 3 0 1 0 0.9 window\n",
+         "a.vs3:5: ", "nothing is left of surface 1"},
         {"a.vs3", "C encl=yes\n", "a.vs3:1: ", "has no number"},
-        {"a.vs3", "F 3a\nS 1 X 0 0 0.9 a\n", "a.vs3:2: ", "a shape is wanted"},
+        {"a.vs3", "F 3a\nS 1 X 0 0 0.9 a\n", "a.vs3:2: ", "expected a shape"},
         {"a.vs3", "F 3a\nS 1 R 0 0 0.9 a\n 0 0 0 b\n", "a.vs3:3: ", "number 4 of 7"},
-        {"a.vs3", "F 3a\nS 1 R 0 0 0.9 a\n 0 0 0 0\n", "a.vs3:2: ", "4 of 7 are there"},
+        {"a.vs3", "F 3a\nS 1 R 0 0 0.9 a\n 0 0 0 0\n", "a.vs3:2: ", "it has 4 of 7"},
         {"a.vs3", vs3 + "S 1 1 2 3 0 0 4 0.9 a\n", "a.vs3:5: ", "combined"},
         {"a.vs3", "F 2\n", "a.vs3:1: ", "three-dimensional"},
-        {"a.vs3", "Q 2\n", "a.vs3:1: ", "begins no line"},
+        {"a.vs3", "Q 2\n", "a.vs3:1: ", "begins with 'Q'"},
         {"a.toml", disc + "radius = -1\n", "a.toml:6:", "not negative"},
         {"a.toml", disc + "radius = 1\ninner_radius = 1\n", "a.toml:7:", "nothing is left"},
         {"a.toml", disc + "radius = nan\n", "a.toml:6:", "finite"},

@@ -43,8 +43,8 @@ TEST(StoppingRule, IsReadAndWrittenBack) {
 }
 
 TEST(StoppingRule, IsRefusedWithTheReason) {
-    EXPECT_THAT(refusal(adaptive("pilot = 12", 50)), HasSubstr("one goal is wanted"));
-    EXPECT_THAT(refusal(adaptive("ci = 1\nrmse = 1", 50)), HasSubstr("one goal is wanted"));
+    EXPECT_THAT(refusal(adaptive("pilot = 12", 50)), HasSubstr("expected one goal"));
+    EXPECT_THAT(refusal(adaptive("ci = 1\nrmse = 1", 50)), HasSubstr("expected one goal"));
     EXPECT_THAT(refusal(adaptive("ci = 0", 50)), HasSubstr("no number of trials reaches 0"));
     EXPECT_THAT(refusal(adaptive("ci = 0.1\npilot = 4", 50)), HasSubstr("5 to 50 trials"));
     EXPECT_THAT(refusal(adaptive("ci = 0.1", 20)), HasSubstr("5 to 20 trials"));
