@@ -60,6 +60,7 @@ struct FormFactorsCommand {
     std::string scene;           ///< built-in name, or a file; empty: load a matrix
     std::filesystem::path load;  ///< folder or store of an earlier run; empty: none
     std::string faces;    ///< what a face of an OBJ file or a mesh is: "group", "object", "material" or "polygon"
+    std::string zone;     ///< of an EnergyPlus file, or a space
     bool closed = false;  ///< treat an OBJ file or a mesh as closed
     std::optional<double> scale;             ///< what lengths of an OBJ file or a mesh are multiplied by
     std::string up;                          ///< its axis that points up: "x", "y" or "z"; empty: not said

@@ -16,8 +16,8 @@ void of_a_run(OptionDefinition& option) {
     option.rules.excludes.emplace_back("--load");
 }
 
-/// What an OBJ file or a mesh does not say itself. @param may_load  the command takes a loaded matrix as well
-void add_options_of_meshes(CommandDefinition& sub, FormFactorsCommand& command, bool may_load) {
+/// What a file does not say itself. @param may_load  the command takes a loaded matrix as well
+void add_options_of_scenes(CommandDefinition& sub, FormFactorsCommand& command, bool may_load) {
     OptionDefinition& faces =
         sub.option("--faces", command.faces,
                    "What a face of an OBJ file or a mesh is: group, object, material or polygon (default: groups, or "
@@ -27,6 +27,9 @@ void add_options_of_meshes(CommandDefinition& sub, FormFactorsCommand& command, 
     OptionDefinition& closed =
         sub.option("--closed", command.closed, "An OBJ file or a mesh is closed: every ray hits something");
     if (may_load) of_a_run(closed);
+    OptionDefinition& zone = sub.option(
+        "--zone", command.zone, "Zone or space of an EnergyPlus file (default: its only zone)", {.type = "NAME"});
+    if (may_load) of_a_run(zone);
 }
 
 /// Where the places of an OBJ file or a mesh are. Heat has a scale of its own, for every scene.
@@ -50,7 +53,7 @@ void add_form_factors(ProgramDefinition& program, FormFactorsCommand& command) {
     of_a_run(sub.option(
         "SCENE", command.scene,
         fmt::format("cube, box:AxBxC, another built-in scene, or a file ({})", studies::scene_extensions_in_words())));
-    add_options_of_meshes(sub, command, true);
+    add_options_of_scenes(sub, command, true);
     add_options_of_places(sub, command, true);
     sub.option("--from", command.from,
                "Only factors from points: point:x,y,z,nx,ny,nz, or a CSV file with these columns",
@@ -99,7 +102,7 @@ void add_convert(ProgramDefinition& program, ConvertCommand& command) {
                fmt::format("A built-in scene, or a file ({})", studies::scene_extensions_in_words()),
                {.is_required = true});
     sub.option("OUT", command.out, "File to write: .obj, .vs3 or .toml", {.type = "FILE", .is_required = true});
-    add_options_of_meshes(sub, command.scene, false);
+    add_options_of_scenes(sub, command.scene, false);
     add_options_of_places(sub, command.scene, false);
     sub.option("--facets", command.facets,
                "Polygons around a full turn of a curved surface (default: it stays curved)");
@@ -116,7 +119,7 @@ void add_heat(ProgramDefinition& program, HeatCommand& command) {
                {.type = "DIR"});
     of_a_run(sub.option("SCENE", factors.scene,
                         fmt::format("A built-in scene, or a file ({})", studies::scene_extensions_in_words())));
-    add_options_of_meshes(sub, factors, true);
+    add_options_of_scenes(sub, factors, true);
     sub.option("--materials", command.materials, "Materials file (.toml): emissivities and temperatures or fluxes",
                {.type = "FILE", .is_required = true});
     sub.option("--scale", command.scale, "Metres of a unit of length of the scene", {.shows_default = true});

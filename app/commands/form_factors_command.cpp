@@ -143,8 +143,8 @@ std::string in_words(const FormFactorsCommand& command) {
     std::string of_mesh;
     for (const std::string& option : said_of_mesh(command)) of_mesh += " --" + option;
     return fmt::format(
-        "ffstudy form_factors {}{} --tolerance {}{} --level {}{} --seed {}{}", command.scene, of_mesh,
-        command.request.tolerance,
+        "ffstudy form_factors {}{} --tolerance {}{} --level {}{} --seed {}{}", command.scene,
+        of_mesh + (command.zone.empty() ? "" : fmt::format(" --zone '{}'", command.zone)), command.request.tolerance,
         (command.request.relative > 0 ? fmt::format(" --relative {}", command.request.relative) : "") +
             (command.request.drop > 0 ? fmt::format(" --drop {}", command.request.drop) : "") +
             (command.request.surroundings.empty() ? ""

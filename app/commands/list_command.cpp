@@ -108,8 +108,11 @@ std::string_view pattern_of(std::string_view name) {
 /// The scene of that name, built in or in a file; empty where it is neither.
 /// @throws UserError where a file, or the measures of a scene, are wrong
 std::optional<Scene> find_scene(const std::string& name) {
-    if (studies::scene_source(name).is_file())
-        return studies::make_scene(studies::source_of_file(name, studies::read_scene_file(name)));
+    studies::SceneSource source = studies::scene_source(name);
+    if (source.is_file()) {
+        source.text = studies::read_scene_file(source.name);
+        return studies::make_scene(source);
+    }
     const std::string_view family = std::string_view(name).substr(0, name.find(':'));
     const auto scenes = configuration_scene_names();
     const bool known = std::find(scenes.begin(), scenes.end(), family) != scenes.end();

@@ -64,9 +64,10 @@ def _threads(threads):
 
 def _scene(scene):
     """Name and text of a scene; no text for a built-in one."""
-    if isinstance(scene, str) and Path(scene).suffix not in (".obj", ".toml", ".vs3"):
+    file, before_zone, zone = os.fspath(scene).partition(" zone:")
+    if isinstance(scene, str) and Path(file).suffix.lower() not in (".obj", ".toml", ".vs3", ".idf", ".epjson"):
         return scene, None
-    return os.path.basename(os.fspath(scene)), _core.read_scene_file(scene)
+    return os.path.basename(file) + before_zone + zone, _core.read_scene_file(file)
 
 
 def _obj(vertices, faces, names):
@@ -97,7 +98,8 @@ def form_factors(scene: Optional[SceneFile] = None, *, vertices=None, faces: Opt
                  max_samples: int = 1_000_000_000) -> FormFactors:
     """All form factors of a scene, exactly where geometry allows it and by sampling elsewhere.
 
-    scene: a built-in scene ("cube", "box:2x1x0.5") or a file (.obj, .toml, .vs3).
+    scene: a built-in scene ("cube", "box:2x1x0.5") or a file (.obj, .toml, .vs3, .idf, .epJSON, the last
+        two also with a zone: "house.idf zone:Attic").
     vertices, faces: instead of it, an array (vertices, 3) and the corners of each polygon, counted from 0 and
         counter-clockwise as seen from the side that radiates. `names` gives faces names; faces of one name are one.
     tolerance: largest half width of an interval.   level: of the intervals, above 0.5.

@@ -1,5 +1,6 @@
 #include "core/support/error.hpp"
 #include "reports/programs/writers.hpp"
+#include "studies/scene_files/scene_source.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -17,9 +18,11 @@ constexpr std::string_view view_factors_object = "ZoneProperty:UserViewFactors:B
 constexpr std::string_view marks = ",;!";  // of the IDF format
 constexpr std::size_t longest_name = 100;
 
-/// The zone has the scene's name, without a file's extension.
+/// That of the scene's file; else the zone has the scene's name, without a file's extension.
 std::string zone_of(const Scene& scene) {
-    std::string name = scene.name;
+    std::string name = studies::scene_source(scene.name).zone;
+    if (!name.empty()) return name;
+    name = scene.name;
     if (!scene.empty_box) name = std::filesystem::path(name).stem().string();
     std::replace_if(
         name.begin(), name.end(), [](char c) { return marks.find(c) != std::string_view::npos; }, '_');

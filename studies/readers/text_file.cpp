@@ -45,7 +45,10 @@ std::string read_bytes(const std::filesystem::path& file) {
 }
 
 std::string read_text_file(const std::filesystem::path& file, FileKind wanted) {
-    std::string bytes = read_bytes(file);
+    return checked_text(read_bytes(file), file, wanted);
+}
+
+std::string checked_text(std::string bytes, const std::filesystem::path& file, FileKind wanted) {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     if (bytes.starts_with(byte_order_mark)) bytes.erase(0, byte_order_mark.size());
     expect_kind(wanted, bytes, file);

@@ -16,6 +16,16 @@ SceneWithMaterials read_toml_scene(std::string_view name, std::string_view text)
 SceneWithMaterials read_obj_scene(std::string_view name, std::string_view text);
 SceneWithMaterials read_vs3_scene(std::string_view name, std::string_view text);
 
+struct ZoneScene {
+    Scene scene;
+    std::string zone;  ///< as the file calls it
+};
+
+/// A zone or space of an input file of EnergyPlus, in its IDF or epJSON format.
+/// @param zone  its name; empty: the only zone that there is
+/// @throws UserError also where there are several zones and none is named
+ZoneScene read_energyplus_scene(std::string_view name, std::string_view text, const std::string& zone);
+
 template <>
 inline constexpr auto names_of<Facing> = name_table(Named{Facing::outward, "outward"}, Named{Facing::inward, "inward"});
 
@@ -27,6 +37,9 @@ bool has_extension(std::string_view name, std::string_view extension);
 
 /// Whether a file name is that of a mesh: .stl, .ply, .off, .gltf, .glb, .vtk, .vtu, .vtp or .msh.
 bool names_mesh(std::string_view name);
+
+/// Whether a file name is that of an input file of EnergyPlus, which has zones: .idf or .epJSON.
+bool names_energyplus(std::string_view name);
 
 /// A mesh as the text of an OBJ file. Its groups are the nodes that contain polygons, by name, with `usemtl` where the
 /// file names materials, or groups of cells; its content decides which format it has. @throws UserError, IoError

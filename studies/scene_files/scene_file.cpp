@@ -5,6 +5,7 @@
 #include "core/support/error.hpp"
 #include "core/visibility/mirrors.hpp"
 #include "studies/readers/text_file.hpp"
+#include "studies/scene_files/energyplus/input_file.hpp"
 #include "studies/scene_files/formats.hpp"
 
 #include <fmt/format.h>
@@ -23,6 +24,9 @@ constexpr std::array<std::string_view, 9> mesh_extensions{".stl", ".ply", ".off"
 
 SceneWithMaterials scene_without_mirrors(const SceneSource& source) {
     const std::string& name = source.name;
+    if (!source.zone.empty() && !names_energyplus(name))
+        throw UserError(fmt::format(
+            "zone '{}': '{}' is no input file of EnergyPlus (others have no zones). Leave it out.", source.zone, name));
     if (!source.is_file()) return {built_in_scene(name), {}};
     if (!source.text) {
         throw UserError(
@@ -44,12 +48,14 @@ bool has_extension(std::string_view name, std::string_view extension) {
 }
 
 std::string scene_extensions_in_words() {
-    return fmt::format(".obj, .toml, .vs3, {}", fmt::join(mesh_extensions, ", "));
+    return fmt::format(".obj, .toml, .vs3, .idf, .epJSON, {}", fmt::join(mesh_extensions, ", "));
 }
 
 std::string read_scene_file(const std::filesystem::path& file) {
     if (names_mesh(file.string())) return mesh_as_obj(file);
     expect_no_mesh(file);
+    if (has_extension(file.string(), ".idf"))
+        return checked_text(energyplus::with_ascii_comments(read_bytes(file)), file, FileKind::scene);
     return read_text_file(file, FileKind::scene);
 }
 
@@ -58,14 +64,26 @@ bool names_mesh(std::string_view name) {
                        [&](std::string_view extension) { return has_extension(name, extension); });
 }
 
+bool names_energyplus(std::string_view name) {
+    return has_extension(name, ".idf") || has_extension(name, ".epjson");
+}
+
 bool is_read_as_obj(std::string_view name) {
     return has_extension(name, ".obj") || names_mesh(name);
 }
 
 SceneWithMaterials make_scene_with_materials(const SceneSource& source) {
-    SceneWithMaterials made = scene_without_mirrors(source);
+    SceneSource named = source;
+    SceneWithMaterials made;
+    if (names_energyplus(source.name) && source.text) {
+        ZoneScene read = read_energyplus_scene(source.name, *source.text, source.zone);
+        made.scene = std::move(read.scene);
+        named.zone = std::move(read.zone);
+    } else {
+        made = scene_without_mirrors(source);
+    }
     made.scene = with_mirrors(std::move(made.scene), source.mirrors);
-    made.scene.name = source.title();
+    made.scene.name = named.title();
     return made;
 }
 

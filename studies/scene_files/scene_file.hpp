@@ -12,10 +12,10 @@
 
 namespace ff::studies {
 
-/// Scenes that users write: TOML (surfaces of every shape), Wavefront OBJ, View3D's .vs3 and meshes (polygons);
-/// docs/scenes.md.
+/// Scenes that users write: TOML (surfaces of every shape), Wavefront OBJ, View3D's .vs3, EnergyPlus's .idf
+/// and .epJSON and meshes (polygons); docs/scenes.md.
 
-/// ".obj, .toml, .vs3, .stl, .ply, .off, .gltf, .glb, .vtk, .vtu, .vtp, .msh"
+/// ".obj, .toml, .vs3, .idf, .epJSON, .stl, .ply, .off, .gltf, .glb, .vtk, .vtu, .vtp, .msh"
 std::string scene_extensions_in_words();
 
 /// The text of a scene file; a mesh is converted to OBJ. @throws UserError, IoError

@@ -7,6 +7,8 @@
 namespace ff::studies {
 namespace {
 
+/// That of a file of EnergyPlus takes this, and a zone of it, behind it.
+constexpr std::string_view before_zone = " zone:";
 /// A scene's name takes this, and the faces that are mirrors, behind it.
 constexpr std::string_view before_mirrors = " mirrors:";
 constexpr char between_mirrors = '+';
@@ -15,12 +17,13 @@ constexpr char between_mirrors = '+';
 
 bool SceneSource::is_file() const {
     return has_extension(name, ".toml") || has_extension(name, ".obj") || has_extension(name, ".vs3") ||
-           names_mesh(name);
+           names_energyplus(name) || names_mesh(name);
 }
 
 std::string SceneSource::title() const {
-    if (mirrors.empty()) return name;
-    return fmt::format("{}{}{}", name, before_mirrors, fmt::join(mirrors, std::string_view(&between_mirrors, 1)));
+    const std::string place = zone.empty() ? name : fmt::format("{}{}{}", name, before_zone, zone);
+    if (mirrors.empty()) return place;
+    return fmt::format("{}{}{}", place, before_mirrors, fmt::join(mirrors, std::string_view(&between_mirrors, 1)));
 }
 
 std::string SceneSource::written() const {
@@ -33,6 +36,11 @@ SceneSource scene_source(std::string_view written) {
     SceneSource source;
     const std::size_t at = written.rfind(before_mirrors);
     source.name = written.substr(0, at);
+    const std::size_t zone = source.name.find(before_zone);
+    if (zone != std::string::npos && names_energyplus(source.name.substr(0, zone))) {
+        source.zone = source.name.substr(zone + before_zone.size());
+        source.name.resize(zone);
+    }
     if (at == std::string_view::npos) return source;
     std::string_view left = written.substr(at + before_mirrors.size());
     while (true) {

@@ -12,13 +12,15 @@ namespace ff::studies {
 /// need no other file and a changed text is a different study.
 struct SceneSource {
     std::string name;                  ///< "cube", "box:1x2x3" or that of a file
+    std::string zone;                  ///< or space of an EnergyPlus file; empty: the only one
     std::vector<std::string> mirrors;  ///< faces that mirror
     std::optional<std::string>
         text;  ///< of the file, a mesh converted to OBJ; empty for built-in scenes and until it is read
 
-    /// Whether the name is that of a file: it ends with .toml, .obj, .vs3 or an ending of meshes.
+    /// Whether the name is that of a file: it ends with .toml, .obj, .vs3, .idf, .epJSON or an ending of
+    /// meshes.
     [[nodiscard]] bool is_file() const;
-    /// The name with its mirrors: "cube mirrors:6", with '+' between faces.
+    /// The name with its zone and its mirrors: "cube mirrors:6", with '+' between faces, "house.idf zone:Attic".
     [[nodiscard]] std::string title() const;
     /// What studies in stores say: the title and, after a line break, the text.
     [[nodiscard]] std::string written() const;

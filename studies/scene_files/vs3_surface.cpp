@@ -1,5 +1,6 @@
 #include "studies/scene_files/vs3_surface.hpp"
 
+#include "core/geometry/ear_clipping.hpp"
 #include "core/geometry/polygon_parts.hpp"
 
 #include <Eigen/Geometry>
@@ -15,7 +16,26 @@ using Eigen::Vector3d;
 constexpr double most_off = 1e-6;  // of a part from the plane and the rim of its base, relative to its size
 constexpr std::size_t numbers_of_plane = 5;
 
-/// Exact at right angles, where corners of neighbours have to be the same.
+bool is_convex(const ConvexPolygon& corners, const Vector3d& normal) {
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const Vector3d& next = next_corner(corners, k);
+        const Vector3d& last = corners[(k + 2) % corners.size()];
+        if ((next - corners[k]).cross(last - next).dot(normal) < 0) return false;
+    }
+    return true;
+}
+
+/// A base as such pieces.
+std::vector<ConvexPolygon> convex_pieces(const Vs3Surface& base) {
+    if (is_convex(base.corners, base.normal())) return {base.corners};
+    std::vector<ConvexPolygon> pieces;
+    for (const auto& [a, b, c] : clip_ears(base.corners))
+        pieces.push_back({base.corners[a], base.corners[b], base.corners[c]});
+    return pieces;
+}
+
+}  // namespace
+
 double sine(double degrees) {
     const double turned = std::remainder(degrees, 360.0);
     if (turned == 0 || std::abs(turned) == 180) return 0;
@@ -26,8 +46,6 @@ double sine(double degrees) {
 double cosine(double degrees) {
     return sine(degrees + 90);
 }
-
-}  // namespace
 
 Vector3d Vs3Surface::normal() const {
     return twice_area(corners).normalized();
@@ -55,16 +73,13 @@ std::string problem_on_base(const Vs3Surface& part, const Vs3Surface& base) {
     const double gap = most_off * length_around(base.corners);
     for (const Vector3d& corner : part.corners) {
         if (std::abs(normal.dot(corner - base.corners[0])) > gap) return "does not lie in the plane of";
-        for (std::size_t k = 0; k < base.corners.size(); ++k) {
-            const Vector3d along = next_corner(base.corners, k) - base.corners[k];
-            if (normal.cross(along).dot(corner - base.corners[k]) < -gap * along.norm()) return "reaches beyond";
-        }
     }
-    for (std::size_t k = 0; k < part.corners.size(); ++k) {
-        const Vector3d& next = next_corner(part.corners, k);
-        const Vector3d& last = part.corners[(k + 2) % part.corners.size()];
-        if ((next - part.corners[k]).cross(last - next).dot(part.normal()) < 0) return "is not convex, on";
-    }
+    if (!is_convex(part.corners, part.normal())) return "is not convex, on";
+    ConvexPolygon outline = part.corners;
+    turn_around(outline, normal);
+    std::vector<ConvexPolygon> outside{outline};
+    for (const ConvexPolygon& piece : convex_pieces(base)) outside = without(outside, piece, normal, gap);
+    if (!outside.empty()) return "reaches beyond";
     const bool faces_same_way = part.normal().dot(normal) > 0;
     if (part.kind == 'S') return faces_same_way ? "" : "faces the other way than";
     return faces_same_way ? "does not face" : "";
@@ -81,7 +96,7 @@ bool overlap(const Vs3Surface& base, const Vs3Surface& a, const Vs3Surface& b) {
 std::vector<ConvexPolygon> left_of_base(const Vs3Surface& base, const std::vector<const Vs3Surface*>& parts) {
     constexpr double rounding = 1e-9;
     const Vector3d normal = base.normal();
-    std::vector<ConvexPolygon> left{base.corners};
+    std::vector<ConvexPolygon> left = convex_pieces(base);
     for (const Vs3Surface* part : parts) {
         ConvexPolygon outline = part->corners;
         turn_around(outline, normal);

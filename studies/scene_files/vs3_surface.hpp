@@ -12,6 +12,10 @@
 
 namespace ff::studies {
 
+/// Exact at right angles, where corners of neighbours have to be the same.
+double sine(double degrees);
+double cosine(double degrees);
+
 /// A surface of a View3D file as a line describes it.
 struct Vs3Surface {
     char kind = 'S';  ///< S radiates, O is in the way, M masks a part of its base, N takes it away
@@ -40,7 +44,8 @@ struct Vs3Shape {
 };
 
 /// What is wrong with a part that lies on a base, as a verb and what goes before the base's name; empty: nothing. A
-/// part lies within its base, and faces the same way where it radiates, the other way where it faces the base.
+/// part is convex, lies within its base, and faces the same way where it radiates, the other way where it faces the
+/// base.
 std::string problem_on_base(const Vs3Surface& part, const Vs3Surface& base);
 
 /// Whether two parts of a base cover a part of each other.

@@ -1,5 +1,5 @@
 // A scene file is a scene whose areas are numbers and that can be traced, or a UserError. The first byte says which
-// format it is; of meshes, which come last, the content says which.
+// format it is; of meshes the content says which.
 
 #include "studies/scene_files/scene_file.hpp"
 #include "core/support/error.hpp"
@@ -15,7 +15,7 @@
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
-    constexpr std::array<std::string_view, 4> names{"a.obj", "a.vs3", "a.toml", "a.vtk"};
+    constexpr std::array<std::string_view, 6> names{"a.obj", "a.vs3", "a.toml", "a.vtk", "a.idf", "a.epJSON"};
     const std::string_view name = names[data[0] % names.size()];
     std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
     try {

@@ -31,6 +31,7 @@ studies::SceneSource read_source(const FormFactorsCommand& command) {
     if (command.scale && !studies::is_scale(*command.scale))
         throw UserError(fmt::format("--scale {} (1e-9 to 1e9). Write 0.001 for millimetres.", *command.scale));
     studies::SceneSource source = studies::scene_source(name);
+    if (!command.zone.empty()) source.zone = command.zone;
     if (!source.is_file()) {
         if (!std::filesystem::is_regular_file(name)) return source;
         static_cast<void>(studies::read_text_file(name, studies::FileKind::scene));  // says so if it is something else

@@ -86,7 +86,7 @@ done
 ffstudy form_factors "$files/study"
 expect_refused 2 "a study file (expected a scene file). Run 'ffstudy run $files/study'."
 ffstudy form_factors "$files/obj"
-expect_refused 2 "its extension names no scene format (.obj, .toml, .vs3, .stl, .ply, .off, .gltf, .glb, .vtk, .vtu, .vtp, .msh). Rename it."
+expect_refused 2 "its extension names no scene format (.obj, .toml, .vs3, .idf, .epJSON, .stl, .ply, .off, .gltf, .glb, .vtk, .vtu, .vtp, .msh). Rename it."
 /usr/bin/python3 -c 'import sys; sys.stdout.buffer.write(bytes(80) + b"\1\0\0\0" + bytes(50))' >"$folder/stl.obj"
 ffstudy form_factors "$folder/stl.obj"
 expect_refused 2 "a binary STL file by its content (its name says that it is something else). Rename it to end in .stl."

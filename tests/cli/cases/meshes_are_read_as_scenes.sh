@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# STL, PLY, OFF, glTF, VTK and gmsh are scenes: a room in each has the exact factors of the box.
+# STL, PLY, OFF, glTF, VTK, gmsh and EnergyPlus's input are scenes: a room in each has the exact factors of the box.
 source "$(dirname "$0")/../harness.sh"
 
 /usr/bin/python3 - <<'PYTHON'
@@ -25,6 +25,18 @@ open("room.off", "w").write("OFF\n8 6 0\n" + listed)
 open("room.ply", "w").write("ply\nformat ascii 1.0\nelement vertex 8\n" +
                             "".join(f"property float {c}\n" for c in "xyz") +
                             "element face 6\nproperty list uchar int vertex_indices\nend_header\n" + listed)
+# EnergyPlus: seen from outside, in two zones, with a degree sign in Latin-1.
+def outward(zone, name, quad):
+    return f"BuildingSurface:Detailed,{name},Wall,Brick,{zone},Outdoors,,,,,4," + ", ".join(
+        "%g,%g,%g" % places[i] for i in reversed(quad)) + ";\n"
+open("room.IDF", "w", encoding="latin-1").write(
+    "Version,9.5; ! 20 \xb0C\nGlobalGeometryRules,ULC,CCW,Relative;\nZone,Living room;\nZone,Attic;\n" +
+    "".join(outward("Living Room", name, q) + outward("attic", f"{name} above", q) for name, q in walls.items()))
+json.dump({"GlobalGeometryRules": {"1": {"vertex_entry_direction": "Clockwise", "coordinate_system": "World"}},
+           "Zone": {"Living room": {}}, "BuildingSurface:Detailed": {name: {
+               "zone_name": "Living room", "vertices": [{f"vertex_{a}_coordinate": x for a, x in zip("xyz", places[i])}
+                                                        for i in q]} for name, q in walls.items()}},
+          open("room.epJSON", "w"))
 numbered = list(enumerate(walls.values()))
 open("room.vtk", "wb").write(
     b"# vtk DataFile Version 3.0\nroom\nBINARY\nDATASET POLYDATA\nPOINTS 8 double\n" +
@@ -106,6 +118,21 @@ ffstudy form_factors room.vtu --closed
 expect_stderr "1 volume cell is left out"
 head -c 300 room.msh >"$folder/cut.msh"
 
+# A zone is chosen; what is handed back has its name and those of its surfaces.
+ffstudy form_factors room.epJSON --out of_epjson --format energyplus
+expect_status 0
+expect_box of_epjson
+grep -qx "  Living room,  !- Zone or ZoneList or Space or SpaceList Name" of_epjson/energyplus.idf || fail "expected the zone's name"
+ffstudy form_factors room.IDF --zone attic --out of_idf --format energyplus
+expect_status 0
+expect_box of_idf
+grep -q "^  floor above, roof above, 0" of_idf/energyplus.idf || fail "expected the names of surfaces"
+ffstudy form_factors --load of_idf
+expect_stdout "room.IDF zone:Attic: 6 faces"
+ffstudy explain "room.IDF zone:living room"
+expect_status 0
+expect_stdout "roof: area 12"
+
 # Materials are faces, and names in a materials file; the store needs the mesh no longer.
 ffstudy form_factors room.gltf --closed --faces material --out materials
 expect_status 0
@@ -119,7 +146,7 @@ ffstudy form_factors --load materials
 expect_status 0
 
 # A study has meshes, too.
-mv room.stl "$folder" && rm -r ./*
+mv room.stl room.IDF "$folder" && rm -r ./*
 ffstudy explain "$folder/room.stl"
 expect_status 0
 expect_stdout "roof: area 12"
@@ -129,6 +156,10 @@ ffstudy form_factors "$folder/bad.stl" --out out
 expect_refused 2 "cannot be read as a mesh"
 ffstudy form_factors "$folder/cut.msh" --out out
 expect_refused 2 "cut.msh:29: \$Elements: it ends here, and more has to follow (it was cut off). Write it again."
+ffstudy form_factors "$folder/room.IDF" --out out
+expect_refused 2 "2 zones (an enclosure is one of them): 'Living room', 'Attic'. Choose by --zone"
+ffstudy form_factors cube --zone attic
+expect_refused 2 "'cube' is no input file of EnergyPlus"
 ffstudy form_factors missing.glb --out out
 expect_refused 3 "missing.glb: cannot be read (No such file or directory)"
 ffstudy form_factors cube --faces material

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "studies/scene_files/energyplus/schema.hpp"
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::studies::energyplus {
+
+/// A value of an object, as text whatever the file's format.
+struct Field {
+    std::string text;
+    std::uint64_t line = 0;
+};
+
+using Vertex = std::array<Field, 3>;
+
+/// An object of an input file.
+struct Object {
+    const Class* kind = nullptr;
+    std::uint64_t line = 0;
+    std::map<std::string, Field, std::less<>> fields;  ///< by the names of the schema for epJSON
+    std::vector<Vertex> vertices;
+
+    /// The text of a field; empty where there is none.
+    [[nodiscard]] const std::string& text(std::string_view field) const;
+    /// The line of a field; that of the object where there is none.
+    [[nodiscard]] std::uint64_t line_of(std::string_view field) const;
+};
+
+/// Names are compared so.
+std::string in_small_letters(std::string_view text);
+
+/// The class of that name, in letters of either case; null for one that does not matter here.
+const Class* class_named(std::string_view name);
+
+/// The bytes of an IDF file with ? for those of comments that are not ASCII: older files have degree signs in other
+/// encodings than UTF-8.
+std::string with_ascii_comments(std::string bytes);
+
+// Each reads a whole file, whose name is for messages.
+// @throws UserError "file:line: problem (why). Suggestion."
+
+/// The format with commas and semicolons, in which a field is known by its place. Version 9.0 took one out of windows,
+/// and 9.6 put one into walls; a file without a version counts as new. @see [energyplus]
+std::vector<Object> read_idf(std::string_view file, std::string_view text);
+
+std::vector<Object> read_epjson(std::string_view file, std::string_view text);
+
+}  // namespace ff::studies::energyplus
