@@ -28,8 +28,11 @@ std::string hits_in_words(const std::optional<HitRange>& hits) {
 
 /// "table6, 1 - 2, PDM r.e. (%) and 11 more"
 std::string blame_in_words(const PublishedTables& tables, const Finding& finding) {
-    if (finding.blamed.empty())
-        return finding.relation == studies::audit::Relation::closure ? "the method" : "the text";
+    using studies::audit::Relation;
+    if (finding.blamed.empty()) {
+        const bool of_method = finding.relation == Relation::closure || finding.relation == Relation::reciprocity;
+        return of_method ? "the method" : "the text";
+    }
     std::string text = describe(tables, finding.blamed.front());
     if (finding.blamed.size() > 1) text += fmt::format(" and {} more", finding.blamed.size() - 1);
     return text;

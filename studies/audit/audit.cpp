@@ -116,19 +116,19 @@ class Auditor {
 
     /// A stated reference must be a print of the exact value of some pair.
     void check_reference(const std::optional<std::string>& stated, PairClass kind) {
-        if (!stated || !facts_.exact) return;
+        if (!stated || tables_.figures.empty()) return;
         const PrintedNumber number = *parse_printed(*stated);
         double nearest = 0;
         for (int i = 0; i < static_cast<int>(facts_.faces()); ++i) {
             for (int j = 0; j < static_cast<int>(facts_.faces()); ++j) {
                 if (i == j || pair_class(facts_.scene, i, j) != kind) continue;
-                const double exact = (*facts_.exact)(i, j);
+                const Range exact = facts_.factor(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
                 for (const Rounding rounding : {Rounding::rounded, Rounding::truncated}) {
                     const auto range = printed_range(number, {rounding, Layout::fixed_decimals, number.decimals});
-                    if (range && range->contains(exact)) return;
+                    if (range && range->low <= exact.high && range->high >= exact.low) return;
                 }
-                if (nearest == 0 || std::abs(exact - number.value()) < std::abs(nearest - number.value()))
-                    nearest = exact;
+                if (nearest == 0 || std::abs(exact.middle() - number.value()) < std::abs(nearest - number.value()))
+                    nearest = exact.middle();
             }
         }
         Finding f;
@@ -193,6 +193,8 @@ class Auditor {
         for (const Experiment& experiment : experiments_) {
             if (!experiment.rays_per_face) continue;
             report_.plausibility_tests += facts_.faces() * (facts_.faces() + 1);  // all pairs and sums, printed or not
+            if (experiment.completion == Completion::direct)
+                report_.plausibility_tests += facts_.faces() * (facts_.faces() - 1) / 2;  // reciprocity
         }
         const auto tests = static_cast<double>(std::max<std::size_t>(1, report_.plausibility_tests));
         report_.z_limit = stats::normal_critical(single / (2 * tests));
@@ -225,9 +227,9 @@ class Auditor {
             other.rounding = other.rounding == Rounding::rounded ? Rounding::truncated : Rounding::rounded;
             Judged again = judge_as(experiment, other);
             if (!again.diagnoses.empty() &&
-                again.diagnoses.front().diagnosis.cost < judged.diagnoses.front().diagnosis.cost - 0.5) {
+                cost_of_rounding(again.model, again.diagnoses.front().diagnosis) <
+                    cost_of_rounding(judged.model, judged.diagnoses.front().diagnosis) - 0.5)
                 judged = std::move(again);
-            }
         }
         for (Finding& finding :
              explain_diagnosis(tables_, facts_, experiment, judged.model, judged.interpretation, judged.diagnoses)) {

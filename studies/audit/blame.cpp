@@ -1,8 +1,11 @@
 #include "studies/audit/blame.hpp"
 
+#include "studies/audit/reciprocity.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 namespace ff::studies::audit {
 namespace {
@@ -32,15 +35,30 @@ bool agrees(ConstraintSystem system, const std::vector<std::size_t>& blamed, std
     return propagate(system, blame).has_value();
 }
 
-constexpr double broken_assumption = 2;  // as unlikely as two wrong digits
+/// The errors of a deterministic method have any size, so the probability that one lies within a printed unit of its
+/// value falls as the reciprocal of this value. In powers of ten, over all pairs.
+double distance_from_truth(const SceneFacts& facts, const ExperimentModel& model, const Interpretation& interpretation,
+                           const std::vector<Range>& ranges) {
+    double improbability = 0;
+    std::set<std::size_t> seen;
+    for (const auto& [pair, term] : model.pairs) {
+        if (model.system.variables[term.variable].rays || !seen.insert(term.variable).second) continue;
+        const Range left = ranges[term.variable];
+        const Range truth = facts.factor(pair / facts.faces(), pair % facts.faces());
+        const double gap = std::max({0.0, left.low - truth.high / term.factor, truth.low / term.factor - left.high});
+        improbability += std::log10(1 + gap / printed_unit(left.low, interpretation.values));
+    }
+    return improbability;
+}
 
 JudgedDiagnosis judge(const PublishedTables& tables, const SceneFacts& facts, const ExperimentModel& model,
                       const Interpretation& interpretation, Diagnosis diagnosis) {
     JudgedDiagnosis judged;
+    judged.improbability = distance_from_truth(facts, model, interpretation, diagnosis.ranges);
     for (const std::size_t s : diagnosis.blamed) {
         const Suspect& suspect = model.system.suspects[s];
         if (suspect.figures.empty()) {
-            judged.improbability += broken_assumption;
+            judged.improbability += suspect.weight;
             continue;
         }
         const Constraint& constraint = constraint_of(model, s);
@@ -62,6 +80,15 @@ JudgedDiagnosis judge(const PublishedTables& tables, const SceneFacts& facts, co
 }
 
 }  // namespace
+
+double cost_of_rounding(const ExperimentModel& model, const Diagnosis& diagnosis) {
+    double cost = 0;
+    for (const std::size_t s : diagnosis.blamed) {
+        const Suspect& suspect = model.system.suspects[s];
+        cost += suspect.figures.empty() ? static_cast<double>(most_misprints) : suspect.cost;
+    }
+    return cost;
+}
 
 const Constraint& constraint_of(const ExperimentModel& model, std::size_t suspect) {
     return *std::find_if(model.system.constraints.begin(), model.system.constraints.end(),

@@ -2,7 +2,7 @@
 
 #include "studies/audit/correction.hpp"
 #include "studies/audit/diagnosis.hpp"
-#include "studies/audit/experiment.hpp"
+#include "studies/audit/experiment_model.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,14 +15,18 @@ namespace ff::studies::audit {
 struct JudgedDiagnosis {
     Diagnosis diagnosis;
     std::vector<Correction> corrections;  ///< one per blamed suspect that has figures
-    /// Its improbability in powers of ten: one per digit that must change, plus that of corrected Monte Carlo
-    /// values.
+    /// Its improbability in powers of ten: one per digit that must change, plus that of corrected Monte Carlo values
+    /// and of what it leaves of deterministic ones far from the true factors.
     double improbability = 0;
 };
 
 /// All diagnoses of a model, the most plausible first.
 std::vector<JudgedDiagnosis> judge_diagnoses(const PublishedTables& tables, const SceneFacts& facts,
                                              const ExperimentModel& model, const Interpretation& interpretation);
+
+/// What a diagnosis costs when it is compared with that of another rounding: with the wrong one many pairs seem to
+/// break reciprocity, so that giving up an assumption is the last resort.
+double cost_of_rounding(const ExperimentModel& model, const Diagnosis& diagnosis);
 
 /// The constraint of a suspect's figures.
 const Constraint& constraint_of(const ExperimentModel& model, std::size_t suspect);

@@ -75,9 +75,20 @@ Range project_even(const Constraint& constraint, const ConstraintSystem& system,
 }  // namespace
 
 std::string_view name(Relation relation) {
-    constexpr std::array<std::string_view, 13> names{
-        "printing rule", "printing", "print",  "whole hits",   "row sum", "relative error", "sum of relative errors",
-        "reference",     "closure",  "parity", "plausibility", "spread",  "reading"};
+    constexpr std::array<std::string_view, 14> names{"printing rule",
+                                                     "printing",
+                                                     "print",
+                                                     "whole hits",
+                                                     "row sum",
+                                                     "relative error",
+                                                     "sum of relative errors",
+                                                     "reference",
+                                                     "closure",
+                                                     "reciprocity",
+                                                     "parity",
+                                                     "plausibility",
+                                                     "spread",
+                                                     "reading"};
     return names[static_cast<std::size_t>(relation)];
 }
 

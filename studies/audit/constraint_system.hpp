@@ -22,6 +22,7 @@ enum class Relation {
     sum_of_relative_errors,  ///< the sum over all rows of their errors
     reference,               ///< the reference that errors are relative to
     closure,                 ///< the row of a face whose rays all belong to it sums to 1
+    reciprocity,             ///< area times factor is the same both ways between two faces
     parity,                  ///< with reciprocity every pair counts twice in the row sums
     plausibility,            ///< a Monte Carlo value so far off that chance does not explain it
     spread,                  ///< Monte Carlo values that are together too far from or too close to the truth
@@ -36,7 +37,8 @@ struct Suspect {
     std::vector<std::size_t> figures;  ///< indices into PublishedTables::figures; empty for an assumption
     std::string assumption;            ///< in words; empty for figures
     double cost = 1;                   ///< cost of blaming it
-    double weight = 1;                 ///< improbability of each digit that it must change, in powers of ten
+    /// Improbability of each digit that it must change, in powers of ten; that of the assumption being wrong.
+    double weight = 1;
 };
 
 /// An unknown true quantity. If `rays` is given, it is a whole number of hits divided by `rays`.

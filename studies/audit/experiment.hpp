@@ -1,13 +1,11 @@
 #pragma once
 
-#include "studies/audit/constraint_system.hpp"
 #include "studies/audit/printed_number.hpp"
 #include "studies/audit/scene_facts.hpp"
 #include "studies/published/published.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,27 +45,6 @@ struct Interpretation {
 
 /// The format of a figure: errors are printed to as many decimals as they show.
 NumberFormat format_of(const Figure& figure, const Interpretation& interpretation);
-
-/// The variable that a figure prints (none for sums of relative errors), and the constraint that ties them.
-struct FigureLink {
-    std::size_t figure = 0;
-    std::optional<Term> quantity;
-    std::size_t constraint = 0;
-};
-
-/// An experiment as unknown quantities and relations.
-struct ExperimentModel {
-    ConstraintSystem system;
-    std::vector<FigureLink> links;
-    std::vector<std::size_t> sums;               ///< [face]: variable
-    std::map<std::size_t, Term> pairs;           ///< [from * faces + to]: variable; empty unless a pair is printed
-    std::optional<SrDistribution> distribution;  ///< sampling methods only
-};
-
-/// Builds the model.
-/// @param z_limit  standard deviations beyond which a Monte Carlo value counts as impossible
-ExperimentModel build_model(const PublishedTables& tables, const SceneFacts& facts, const Experiment& experiment,
-                            const Interpretation& interpretation, DistributionCache& cache, double z_limit);
 
 /// Exact mean and standard deviation of what a figure of a sampling method prints; empty for errors and where unknown.
 struct Expectation {

@@ -1,5 +1,7 @@
 #include "studies/audit/explain.hpp"
 
+#include "studies/audit/reciprocity.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -99,6 +101,8 @@ class Explainer {
         }
         finding.statement = fmt::format("{}", fmt::join(sentences, " "));
         if (!finding.evidence.empty()) finding.relation = finding.evidence.front().relation;
+        if (finding.relation == Relation::reciprocity && !finding.blamed.empty())
+            finding.statement += " " + finding.evidence.front().text;
         add_alternatives(group, finding);
         if (finding.blamed.empty()) {
             finding.id = fmt::format("not so: {}", model_.system.suspects[group.front()].assumption);
@@ -127,8 +131,33 @@ class Explainer {
         return text;
     }
 
-    /// A blamed assumption: only closure so far.
     std::string explain_assumption(std::size_t suspect, Finding& finding) const {
+        return constraint_of(model_, suspect).relation == Relation::closure ? explain_closure(suspect, finding)
+                                                                            : explain_reciprocity(suspect, finding);
+    }
+
+    std::string explain_reciprocity(std::size_t suspect, Finding& finding) const {
+        constexpr std::size_t most_shown = 12;
+        std::size_t broken = 0;
+        std::string first = "sums of rows";
+        for (const Constraint& constraint : model_.system.constraints) {
+            if (constraint.suspect != suspect) continue;
+            const Range allowed = project(constraint, model_.system, best_.diagnosis.ranges, 0);
+            const Range left = best_.diagnosis.ranges[constraint.terms.front().variable];
+            if ((allowed.low <= left.high && allowed.high >= left.low) || ++broken > most_shown) continue;
+            const std::string both = both_ways(tables_, facts_, model_, constraint);
+            if (broken == 1) first = both;
+            finding.evidence.push_back(
+                {Relation::reciprocity, fmt::format("It is broken by {}.", both), figures_behind(constraint)});
+        }
+        if (broken > 1) first += fmt::format(", and {} other pair{} of figures", broken - 1, broken == 2 ? "" : "s");
+        return fmt::format(
+            "{}: {} break reciprocity by more than rounding can. Either the method does not keep it or "
+            "figures are wrong.",
+            describe(experiment_), first);
+    }
+
+    std::string explain_closure(std::size_t suspect, Finding& finding) const {
         const Constraint& constraint = constraint_of(model_, suspect);
         const std::size_t sum = constraint.terms.front().variable;
         const Range range = best_.diagnosis.ranges[sum];
@@ -209,15 +238,27 @@ class Explainer {
         const double low = allowed.low * quantity.factor;
         const double high = allowed.high * quantity.factor;
         if (high >= printed.low && low <= printed.high) return;
+        if (constraint.relation == Relation::row_sum && !is_stated(constraint.terms.front().variable)) return;
         Evidence evidence{constraint.relation, {}, figures_behind(constraint)};
         evidence.text = fmt::format("{} leaves {}.", reason(constraint), in_words({low, high}));
         finding.evidence.push_back(std::move(evidence));
+    }
+
+    /// Whether anything but its pairs tells a row sum; otherwise it is no evidence about them.
+    [[nodiscard]] bool is_stated(std::size_t sum) const {
+        return std::any_of(model_.system.constraints.begin(), model_.system.constraints.end(), [&](const auto& c) {
+            return c.relation != Relation::row_sum &&
+                   std::any_of(c.terms.begin(), c.terms.end(), [&](const Term& term) { return term.variable == sum; });
+        });
     }
 
     std::string reason(const Constraint& constraint) const {
         switch (constraint.relation) {
             case Relation::row_sum:
                 return fmt::format("The sum of row {}", row_of(constraint.terms.front().variable));
+            case Relation::reciprocity:
+                return fmt::format("Reciprocity{} ({})", experiment_.rays_per_face ? ", as far as chance allows," : "",
+                                   both_ways(tables_, facts_, model_, constraint));
             case Relation::closure:
                 return "Closure (a row of own rays sums to 1)";
             case Relation::parity:
@@ -241,7 +282,8 @@ class Explainer {
 
     /// Figures that a constraint is about: its own, or all prints of its variables.
     std::vector<std::size_t> figures_behind(const Constraint& constraint) const {
-        if (constraint.suspect) return model_.system.suspects[*constraint.suspect].figures;
+        if (constraint.suspect && constraint.relation != Relation::reciprocity)
+            return model_.system.suspects[*constraint.suspect].figures;
         std::vector<std::size_t> figures;
         if (constraint.relation == Relation::plausibility) return figures;
         for (const FigureLink& link : model_.links) {

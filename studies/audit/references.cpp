@@ -24,6 +24,7 @@ struct Group {
     std::string table;
     std::string pair_class;
     double exact = 0;
+    double uncertainty = 0;  ///< of the exact value, where no formula gives it
     std::optional<std::string> printed;
     std::vector<Row> rows{};
 };
@@ -69,20 +70,26 @@ class Values {
 
 std::vector<Group> collect_groups(const PublishedTables& tables, const SceneFacts& facts) {
     std::vector<Group> groups;
-    if (!facts.exact) return groups;
     const Values values(tables);
     for (std::size_t f = 0; f < tables.figures.size(); ++f) {
         const Figure& figure = tables.figures[f];
         if (figure.kind != FigureKind::relative_error) continue;
-        const int from = static_cast<int>(*facts.face(figure.from));
-        const int to = static_cast<int>(*facts.face(figure.to));
-        const double exact = (*facts.exact)(from, to);
+        const std::size_t from = *facts.face(figure.from);
+        const std::size_t to = *facts.face(figure.to);
+        const Range limits = facts.factor(from, to);
+        const double exact = limits.middle();
+        if (exact <= 0) continue;
+        const double uncertainty = limits.high - exact;
         auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
-            return g.table == figure.table && std::abs(g.exact - exact) < 1e-9;
+            return g.table == figure.table && std::abs(g.exact - exact) < 1e-9 && g.uncertainty == uncertainty;
         });
         if (group == groups.end()) {
-            const PairClass kind = pair_class(facts.scene, from, to);
-            Group fresh{.table = figure.table, .pair_class = std::string(name(kind)), .exact = exact, .printed = {}};
+            const PairClass kind = pair_class(facts.scene, static_cast<int>(from), static_cast<int>(to));
+            Group fresh{.table = figure.table,
+                        .pair_class = std::string(name(kind)),
+                        .exact = exact,
+                        .uncertainty = uncertainty,
+                        .printed = {}};
             if (kind == PairClass::parallel) fresh.printed = tables.reference_parallel;
             if (kind == PairClass::adjacent) fresh.printed = tables.reference_adjacent;
             // A box has several values in one class; the printed one is that of some pair only.
@@ -103,6 +110,7 @@ std::vector<Candidate> candidates_of(const Group& group) {
         candidates.push_back({ReferenceSource::printed, *group.printed, parse_printed(*group.printed)->value()});
     }
     candidates.push_back({ReferenceSource::exact, fmt::format("{:.9f}", group.exact), group.exact});
+    if (group.uncertainty > 0) return candidates;
     const int most = group.printed ? parse_printed(*group.printed)->decimals : 8;
     for (int decimals = most - 1; decimals >= 2; --decimals) {
         for (const Rounding rounding : {Rounding::rounded, Rounding::truncated}) {
@@ -200,6 +208,7 @@ ReferenceInference infer_references(const PublishedTables& tables, const SceneFa
     for (const Group& group : groups) {
         result.references.push_back(infer(group, RowCounter(tables, formats, Rounding::rounded)));
         truncated.push_back(infer(group, RowCounter(tables, formats, Rounding::truncated)));
+        if (group.uncertainty > 0) continue;  // too coarse to tell rounding from truncation
         result.rows += result.references.back().rows;
         result.explained_rounded += result.references.back().explained;
         result.explained_truncated += truncated.back().explained;
@@ -211,8 +220,8 @@ ReferenceInference infer_references(const PublishedTables& tables, const SceneFa
     for (std::size_t g = 0; g < groups.size(); ++g) {
         const InferredReference& chosen = result.references[g];
         const double stated = groups[g].printed ? parse_printed(*groups[g].printed)->value() : groups[g].exact;
-        const Reference reference{chosen.value,
-                                  chosen.source == ReferenceSource::shortened ? 0 : std::abs(stated - groups[g].exact)};
+        Reference reference{chosen.value, groups[g].uncertainty};
+        if (chosen.source != ReferenceSource::shortened) reference.uncertainty += std::abs(stated - groups[g].exact);
         for (const Row& row : groups[g].rows) result.reference[row.error] = reference;
     }
     return result;

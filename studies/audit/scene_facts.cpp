@@ -1,7 +1,10 @@
 #include "studies/audit/scene_facts.hpp"
 
-#include "core/configurations/built_in_scene.hpp"
 #include "core/exact/exact.hpp"
+#include "core/geometry/surface_map.hpp"
+#include "core/visibility/facing.hpp"
+#include "studies/form_factors/form_factors.hpp"
+#include "studies/scene_files/scene_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +23,7 @@ std::vector<std::size_t> congruent_pairs(const Scene& scene, const Eigen::Matrix
         for (int j = 0; j < faces; ++j) {
             const std::pair kind{exact(i, j), pair_class(scene, i, j)};
             const auto same = std::find_if(kinds.begin(), kinds.end(), [&](const auto& other) {
-                return other.second == kind.second && std::abs(other.first - kind.first) < alike;
+                return other.second == kind.second && std::abs(other.first - kind.first) < alike * kind.first;
             });
             result.push_back(static_cast<std::size_t>(same - kinds.begin()));
             if (same == kinds.end()) kinds.push_back(kind);
@@ -43,7 +46,41 @@ std::vector<std::size_t> congruent_faces(std::size_t faces, const std::vector<st
     return result;
 }
 
+/// Largest relative error of each face's area. Edges are at most pi times as long as the diagonals, and are off by
+/// sqrt(3) times the rounding of coordinates; half as much again leaves room for what is of second order.
+std::vector<double> area_errors(const Scene& scene, const std::vector<double>& areas) {
+    constexpr double of_diagonals = 8;
+    std::vector<double> errors(areas.size());
+    for (const Surface& surface : scene.surfaces) {
+        if (surface.face < 0) continue;
+        const auto face = static_cast<std::size_t>(surface.face);
+        errors[face] += of_diagonals * scene.coordinate_rounding * box_around(surface).diagonal().norm() / areas[face];
+    }
+    return errors;
+}
+
+/// Limits that all hold at once but with probability 1e-6, far less than what else the audit may do wrong.
+void find_limits(SceneFacts& facts) {
+    namespace matrices = form_factors;
+    matrices::Request request;
+    request.level = 1 - 1e-6;
+    request.level_of = matrices::LevelOf::matrix;
+    request.max_samples = 2'000'000;  // seconds
+    for (const matrices::FaceExchange& exchange : matrices::find_matrix(facts.scene, request).exchanges) {
+        for (const auto& [from, to] : {std::pair(exchange.from, exchange.to), std::pair(exchange.to, exchange.from)}) {
+            facts.low(from, to) = exchange.low / facts.areas[from];
+            facts.high(from, to) = exchange.high / facts.areas[from];
+        }
+    }
+}
+
 }  // namespace
+
+Range SceneFacts::factor(std::size_t from, std::size_t to) const {
+    const auto i = static_cast<Eigen::Index>(from);
+    const auto j = static_cast<Eigen::Index>(to);
+    return {low(i, j), high(i, j)};
+}
 
 std::optional<std::size_t> SceneFacts::face(std::string_view label) const {
     const auto found = std::find(scene.faces.begin(), scene.faces.end(), label);
@@ -53,13 +90,22 @@ std::optional<std::size_t> SceneFacts::face(std::string_view label) const {
 
 SceneFacts scene_facts(const PublishedTables& tables) {
     SceneFacts facts;
-    facts.scene = built_in_scene(tables.scene);
-    if (facts.scene.empty_box) facts.exact = exact_form_factors(facts.scene);
+    facts.scene = make_scene(tables.scene);
     const std::size_t faces = facts.faces();
+    for (int i = 0; i < static_cast<int>(faces); ++i) {
+        facts.areas.push_back(face_area(facts.scene, i));
+        facts.sees_itself.push_back(sees_itself(facts.scene, i));
+    }
+    facts.area_error = area_errors(facts.scene, facts.areas);
+    if (facts.scene.empty_box) facts.exact = exact_form_factors(facts.scene);
     if (facts.exact) {
+        facts.low = facts.high = *facts.exact;
         facts.pair_congruence = congruent_pairs(facts.scene, *facts.exact);
         facts.face_congruence = congruent_faces(faces, facts.pair_congruence);
     } else {
+        facts.low = facts.high =
+            Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(faces), static_cast<Eigen::Index>(faces));
+        if (!tables.figures.empty()) find_limits(facts);
         for (std::size_t k = 0; k < faces * faces; ++k) facts.pair_congruence.push_back(k);
         for (std::size_t k = 0; k < faces; ++k) facts.face_congruence.push_back(k);
     }

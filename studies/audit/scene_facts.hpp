@@ -2,6 +2,7 @@
 
 #include "core/geometry/scene.hpp"
 #include "core/visibility/pair_class.hpp"
+#include "studies/audit/printed_number.hpp"
 #include "studies/published/published.hpp"
 #include "studies/theory/sr_distribution.hpp"
 
@@ -17,17 +18,28 @@
 
 namespace ff::studies::audit {
 
-/// Exact facts about the scene of published tables.
+/// What is known of the scene of published tables.
 struct SceneFacts {
     Scene scene;
-    std::optional<Eigen::MatrixXd> exact;      ///< [from, to]; empty where no elementary formula applies
-    std::vector<std::size_t> pair_congruence;  ///< [from * faces + to]: equal numbers for congruent pairs
+    std::vector<double> areas;             ///< by face
+    std::vector<double> area_error;        ///< largest relative error of each, where coordinates of a file are rounded
+    std::vector<bool> sees_itself;         ///< by face
+    std::optional<Eigen::MatrixXd> exact;  ///< [from, to]; of the inside of a box only
+    Eigen::MatrixXd low;                   ///< limits of all factors, [from, to]: equal to `exact` where there is one
+    Eigen::MatrixXd high;
+    /// [from * faces + to]: equal numbers for congruent pairs. Only a box has some: elsewhere they could not be told
+    /// from pairs that are equal by chance.
+    std::vector<std::size_t> pair_congruence;
     std::vector<std::size_t> face_congruence;  ///< [face]: equal numbers for faces with congruent pairs
 
+    [[nodiscard]] Range factor(std::size_t from, std::size_t to) const;
+    [[nodiscard]] bool can_see(std::size_t from, std::size_t to) const { return from != to || sees_itself[from]; }
+    [[nodiscard]] bool has_certain_areas() const { return scene.coordinate_rounding == 0; }
     [[nodiscard]] std::size_t faces() const { return scene.faces.size(); }
     [[nodiscard]] std::optional<std::size_t> face(std::string_view label) const;
 };
 
+/// Where no formula gives all factors, they are those of `ffstudy form_factors`, with its intervals.
 /// @pre the scene is known and has the faces that figures name, as `parse_published_tables` sees to
 SceneFacts scene_facts(const PublishedTables& tables);
 

@@ -1,11 +1,11 @@
 #include "studies/claims/comparison.hpp"
 
-#include "core/configurations/built_in_scene.hpp"
 #include "core/support/contract.hpp"
 #include "core/support/error.hpp"
 #include "stats/basics/distributions.hpp"
 #include "stats/basics/moments.hpp"
 #include "stats/error_rates/multiplicity.hpp"
+#include "studies/scene_files/scene_file.hpp"
 
 #include <fmt/format.h>
 
@@ -163,7 +163,7 @@ double half_printed_unit(const std::string& printed) {
 }
 
 std::optional<std::size_t> find_scene(const StudyPlan& plan, const PublishedTables& tables) {
-    const std::string canonical = built_in_scene(tables.scene).canonical;
+    const std::string canonical = make_scene(tables.scene).canonical;
     const auto found = std::find_if(plan.scenes.begin(), plan.scenes.end(),
                                     [&](const Scene& scene) { return scene.canonical == canonical; });
     return found == plan.scenes.end() ? std::nullopt

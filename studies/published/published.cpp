@@ -1,8 +1,9 @@
 #include "studies/published/published.hpp"
 
-#include "core/configurations/built_in_scene.hpp"
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
+#include "core/visibility/facing.hpp"
+#include "studies/published/scene_of_tables.hpp"
 #include "studies/readers/json_reader.hpp"
 #include "studies/readers/text_file.hpp"
 
@@ -37,10 +38,18 @@ struct Quantity {
     std::string to;
 };
 
-Quantity parse_quantity(const JsonReader& reader, const JsonValue& value) {
+Quantity parse_quantity(const JsonReader& reader, const JsonValue& value, const Scene& scene) {
     const std::string text = reader.text(value, "quantity");
     if (text == "sum of relative errors") return {FigureKind::sum_relative_error, {}, {}};
     if (text.starts_with("sum ") && text.size() > 4) return {FigureKind::row_sum, text.substr(4), {}};
+    if (text.starts_with("F ")) {
+        try {
+            if (const auto pair = split_pair(std::string_view(text).substr(2), scene.faces))
+                return {FigureKind::form_factor, pair->first, pair->second};
+        } catch (const UserError& error) {
+            reader.fail(value, error.what());
+        }
+    }
     const std::size_t dash = text.find('-');
     if (text.starts_with("F ") && dash != std::string::npos && dash > 2 && dash + 1 < text.size()) {
         return {FigureKind::form_factor, text.substr(2, dash - 2), text.substr(dash + 1)};
@@ -52,17 +61,18 @@ Quantity parse_quantity(const JsonReader& reader, const JsonValue& value) {
 }
 
 Quantity read_quantity(const JsonReader& reader, const JsonValue& value, const Scene& scene) {
-    Quantity quantity = parse_quantity(reader, value);
-    if (!quantity.to.empty() && quantity.from == quantity.to) {
-        reader.fail(value, fmt::format("a form factor of face \"{}\" to itself (faces are flat and do not see "
-                                       "themselves). Correct the row's quantity.",
-                                       quantity.from));
-    }
+    Quantity quantity = parse_quantity(reader, value, scene);
     for (const std::string& label : {quantity.from, quantity.to}) {
         if (label.empty() || std::find(scene.faces.begin(), scene.faces.end(), label) != scene.faces.end()) continue;
         reader.fail(value, fmt::format("face \"{}\" is not in the scene \"{}\" (its faces are {}). Correct the "
                                        "row's quantity.",
                                        label, scene.name, fmt::join(scene.faces, ", ")));
+    }
+    const auto from = std::find(scene.faces.begin(), scene.faces.end(), quantity.from) - scene.faces.begin();
+    if (!quantity.to.empty() && quantity.from == quantity.to && !sees_itself(scene, static_cast<int>(from))) {
+        reader.fail(value, fmt::format("a form factor of face \"{}\" to itself (it is flat and does not see itself). "
+                                       "Correct the row's quantity.",
+                                       quantity.from));
     }
     return quantity;
 }
@@ -245,14 +255,6 @@ std::vector<std::string_view> read_methods(const JsonReader& reader, const JsonV
     return names;
 }
 
-Scene read_scene(const JsonReader& reader, const JsonValue& value) {
-    try {
-        return built_in_scene(reader.text(value, "scene"));
-    } catch (const UserError& error) {
-        reader.fail(value, error.what());
-    }
-}
-
 void read_printing(const JsonReader& reader, const JsonValue& value, PublishedTables& tables) {
     reader.expect_object(value, "\"printing\"", {"rule", "decimals"});
     constexpr std::array rules{PrintingRule::unstated, PrintingRule::rounded, PrintingRule::truncated};
@@ -276,8 +278,7 @@ PublishedTables parse_published_tables(std::string_view text, std::string_view o
                          {"source", "scene", "printing", "references", "methods", "tables", "readings", "claims"});
     PublishedTables tables;
     tables.source = reader.text(reader.member(root, "source", "the file"), "source");
-    const Scene scene = read_scene(reader, reader.member(root, "scene", "the file"));
-    tables.scene = scene.name;
+    const Scene scene = read_scene_of_tables(reader, reader.member(root, "scene", "the file"), tables.scene);
     if (const JsonValue* printing = root.find("printing")) read_printing(reader, *printing, tables);
     if (const JsonValue* references = root.find("references")) {
         reader.expect_object(*references, "\"references\"", {"parallel", "adjacent"});
@@ -303,7 +304,11 @@ PublishedTables parse_published_tables(std::string_view text, std::string_view o
 }
 
 PublishedTables read_published_tables(const std::filesystem::path& file) {
-    return parse_published_tables(read_text_file(file, FileKind::tables), file.string());
+    return parse_published_tables(read_tables_text(file), file.string());
+}
+
+std::string read_tables_text(const std::filesystem::path& file) {
+    return with_scene_text(read_text_file(file, FileKind::tables), file);
 }
 
 std::string describe(const PublishedTables& tables, std::size_t figure) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "studies/scene_files/scene_source.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -71,7 +73,7 @@ struct Reading {
 /// The tables of one publication: the printed figures, and the meaning of each.
 struct PublishedTables {
     std::string source;
-    std::string scene;
+    SceneSource scene;
     PrintingRule rule = PrintingRule::unstated;
     int decimals = 6;                               ///< printed decimals the publication claims
     std::optional<std::string> reference_parallel;  ///< exact values as printed
@@ -84,9 +86,13 @@ struct PublishedTables {
     std::vector<PublishedClaim> claims;
 };
 
-/// Parses the text of a tables file (docs/published-tables.md); `origin` names it in messages.
+/// Parses the text of a tables file (docs/published-tables.md), with that of its scene if it is a file; `origin` names
+/// it in messages.
 /// @throws UserError "origin:line:column: ..." where it is malformed
 PublishedTables parse_published_tables(std::string_view text, std::string_view origin);
+
+/// The text of a tables file, with that of the scene file beside it that it may name. @throws IoError, UserError
+std::string read_tables_text(const std::filesystem::path& file);
 
 /// Reads a tables file.
 /// @throws IoError where the file cannot be read; UserError as above

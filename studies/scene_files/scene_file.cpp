@@ -29,8 +29,8 @@ SceneWithMaterials scene_without_mirrors(const SceneSource& source) {
             "zone '{}': '{}' is no input file of EnergyPlus (others have no zones). Leave it out.", source.zone, name));
     if (!source.is_file()) return {built_in_scene(name), {}};
     if (!source.text) {
-        throw UserError(
-            fmt::format("scene '{}' (scene files can be named by study files only). Take cube or box:AxBxC.", name));
+        throw UserError(fmt::format(
+            "scene '{}' (scene files can be named by study and tables files only). Take cube or box:AxBxC.", name));
     }
     if (has_extension(name, ".obj")) return read_obj_scene(name, *source.text);
     if (names_mesh(name)) return read_obj_scene(fmt::format("{} as OBJ", name), *source.text);

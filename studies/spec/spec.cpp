@@ -305,7 +305,7 @@ void read_named_files(StudySpec& spec, const std::filesystem::path& folder) {
     }
     if (spec.published) {
         const auto tables = folder / spec.published->file;
-        spec.published->text = read_text_file(tables, FileKind::tables);
+        spec.published->text = read_tables_text(tables);
         static_cast<void>(parse_published_tables(spec.published->text, tables.string()));  // refused before it is run
     }
 }

@@ -135,7 +135,7 @@ TEST(Audit, ChecksStatedReferencesAgainstExactValues) {
 
 TEST(Audit, AcceptsTablesWithoutFigures) {
     PublishedTables tables;
-    tables.scene = "cube";
+    tables.scene.name = "cube";
     EXPECT_EQ(examine(tables).contradictions(), 0u);
 }
 

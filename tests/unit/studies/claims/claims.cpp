@@ -71,7 +71,7 @@ PublishedClaim claim(std::string_view kind, std::vector<std::string> names, std:
 
 PublishedTables about_the_cube() {
     PublishedTables tables;
-    tables.scene = "cube";
+    tables.scene.name = "cube";
     return tables;
 }
 
@@ -287,7 +287,7 @@ TEST(Claims, AreInconclusiveAboutWhatTheStudyLacks) {
 TEST(Claims, AreInconclusiveAboutAnotherScene) {
     const auto falls = claim("error_falls_with_samples", {"A"});
     PublishedTables elsewhere;
-    elsewhere.scene = "box:1x2x3";
+    elsewhere.scene.name = "box:1x2x3";
     EXPECT_EQ(judged(trials({large, small, small, small}), falls).verdict, ClaimVerdict::supported);
     EXPECT_EQ(judged(trials({large, small, small, small}), falls, elsewhere).verdict, ClaimVerdict::inconclusive);
 }

@@ -164,9 +164,9 @@ TEST(Comparison, RefusesAFaceThatTheSceneDoesNotHave) {
 TEST(FindScene, ComparesGeometryInsteadOfNames) {
     PublishedTables tables = an_honest_run();
     EXPECT_EQ(find_scene(store().plan(), tables), 0u);
-    tables.scene = "box:6x6x6";
+    tables.scene.name = "box:6x6x6";
     EXPECT_EQ(find_scene(store().plan(), tables), 0u);
-    tables.scene = "box:6x6x7";
+    tables.scene.name = "box:6x6x7";
     EXPECT_EQ(find_scene(store().plan(), tables), std::nullopt);
     for (const FigureComparison& c : compared(tables).figures) EXPECT_FALSE(c.cell);
 }

@@ -102,6 +102,20 @@ TEST(ParsePublishedTables, PointsAtTheLine) {
     EXPECT_THAT(refusal_of_tables(replaced("\"sum 2\"", "\"total 2\"")), StartsWith("t.json:10:25: "));
 }
 
+const std::string two_plates = R"(s.obj\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n)"
+                               R"(g low-\nf 1 2 3 4\ng high-er\nf 8 7 6 5)";
+
+TEST(ParsePublishedTables, TakesAnyScene) {
+    std::string text = replaced(R"("cube")", '"' + two_plates + '"');
+    text.replace(text.find("F 1-6"), 5, "F low--high-er").replace(text.find("sum 2"), 5, "sum low-");
+    const PublishedTables tables = parse_published_tables(text, "t.json");
+    EXPECT_EQ(tables.scene.name, "s.obj");
+    EXPECT_EQ(tables.figures[0].from, "low-");
+    EXPECT_EQ(tables.figures[0].to, "high-er");
+    EXPECT_THAT(refusal_of_tables(replaced(R"("cube")", R"("cube mirrors:6")")), HasSubstr("mirrors are not read"));
+    EXPECT_THAT(refusal_of_tables(replaced(R"("cube")", R"("a.obj")")), HasSubstr("scene 'a.obj'"));
+}
+
 TEST(ReadPublishedTables, ReportsAMissingFile) {
     EXPECT_THROW(read_published_tables("/nowhere/tables.json"), IoError);
 }
