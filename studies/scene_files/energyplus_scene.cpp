@@ -80,12 +80,12 @@ class ZoneReader {
                   "internal masses have no geometry and are left out");
         remark_on(frames_, "a frame of a window counts as a part of its wall",
                   "frames of windows count as parts of their walls");
-        remark_on(openings_, "a surface is an air boundary, and is taken as opaque; EnergyPlus joins what it parts",
-                  "surfaces are air boundaries, and are taken as opaque; EnergyPlus joins what they part");
+        remark_on(openings_, "a surface is an air boundary, which is opaque here; EnergyPlus joins the zones on both sides",
+                  "surfaces are air boundaries, which are opaque here; EnergyPlus joins the zones on both sides");
         if (walls_.empty())
             throw UserError(
-                fmt::format("{}: zone '{}' has no surface that is read (nothing would be computed). Take another "
-                            "one.",
+                fmt::format("{}: zone '{}' has no surface that is read (nothing would be computed). Choose "
+                            "another one.",
                             name_, excerpt(chosen_)));
         Scene scene = builder_.finish(true);
         return {std::move(scene), chosen_};
@@ -160,7 +160,7 @@ class ZoneReader {
             number_or_0(object, "direction_of_relative_north")};
         if (!zones_.emplace(small(object, "name"), place).second)
             builder_.fail(object.line,
-                          fmt::format("zone '{}' is there twice (surfaces could be of either). Rename one.",
+                          fmt::format("zone '{}' is defined twice (surfaces could be of either). Rename one.",
                                       excerpt(place.name)));
     }
 
@@ -253,7 +253,7 @@ class ZoneReader {
         if (!is_new)
             builder_.fail(
                 object.line,
-                fmt::format("surface '{}' is there twice (others could mean either). Rename one.", excerpt(name)));
+                fmt::format("surface '{}' is defined twice (others could mean either). Rename one.", excerpt(name)));
         if (object.kind->name != windows_class) read_wall(object);
     }
 
@@ -261,7 +261,7 @@ class ZoneReader {
         const std::string zone = small(object, "zone_name");
         if (!zones_.contains(zone))
             builder_.fail(object.line_of("zone_name"),
-                          fmt::format("zone '{}' is not there (a surface belongs to one). "
+                          fmt::format("zone '{}' is not defined (a surface belongs to one). "
                                       "Correct the name, or the version: fields moved in 9.6.",
                                       excerpt(object.text("zone_name"))));
         const std::string boundary = small(object, "outside_boundary_condition");
@@ -289,7 +289,7 @@ class ZoneReader {
         if (base == surfaces_.end() || base->second->kind->name == windows_class)
             builder_.fail(
                 object.line_of(base_field),
-                fmt::format("'{}' lies on '{}', which is no wall, floor or roof of this file. Correct the name.",
+                fmt::format("'{}' lies on '{}', which is not a wall, floor or roof of this file. Correct the name.",
                             excerpt(name), excerpt(object.text(base_field))));
         for (ZoneWall& wall : walls_) {
             if (wall.object != base->second) continue;
@@ -321,7 +321,7 @@ class ZoneReader {
         if (parts.empty()) {
             builder_.add_polygon(surface.corners, builder_.new_face(surface.name, surface.line), surface.line);
         } else if (const auto pieces = left_of_base(surface, parts); pieces.empty()) {
-            builder_.remark(fmt::format("windows and doors leave nothing of '{}', which is no face", surface.name));
+            builder_.remark(fmt::format("what lies on '{}' leaves nothing of it; it is no face", surface.name));
         } else {
             const int face = builder_.new_face(surface.name, surface.line);
             for (const ConvexPolygon& piece : pieces) builder_.add_polygon(piece, face, surface.line);

@@ -236,11 +236,23 @@ class Vs3Reader {
         }
     }
 
+    /// A surface without what lies on it.
+    [[nodiscard]] std::vector<ConvexPolygon> left_of(const Vs3Surface& surface) const {
+        const auto found = parts_.find(surface.number);
+        if (found == parts_.end()) return {surface.corners};
+        std::vector<const Vs3Surface*> parts;
+        for (const std::size_t part : found->second) parts.push_back(&surfaces_[part]);
+        return left_of_base(surface, parts);
+    }
+
     void add(const Vs3Surface& surface) {
         if (!builder_.has_area(surface.corners, surface.line)) return;
         if (surface.kind == 'O') return builder_.add_polygon(surface.corners, no_face, surface.line);
         if (surface.base != 0) expect_on_base(surface);
         if (surface.kind != 'S') return add_part(surface);
+        const std::vector<ConvexPolygon> pieces = left_of(surface);
+        if (pieces.empty())
+            return builder_.remark(fmt::format("what lies on '{}' leaves nothing of it; it is no face", surface.name));
         int face = no_face;
         if (surface.combined == 0) {
             face = builder_.new_face(surface.name, surface.line);
@@ -255,16 +267,6 @@ class Vs3Reader {
         }
         faces_.emplace(surface.number, face);
         add_emissivity(static_cast<std::size_t>(face), surface.emissivity);
-        std::vector<const Vs3Surface*> parts;
-        if (const auto found = parts_.find(surface.number); found != parts_.end()) {
-            for (const std::size_t part : found->second) parts.push_back(&surfaces_[part]);
-        }
-        if (parts.empty()) return builder_.add_polygon(surface.corners, face, surface.line);
-        const auto pieces = left_of_base(surface, parts);
-        if (pieces.empty())
-            builder_.fail(surface.line, fmt::format("nothing is left of surface {}, since others cover it. Remove it, "
-                                                    "and write 0 for the base of the others.",
-                                                    surface.number));
         for (const ConvexPolygon& piece : pieces) builder_.add_polygon(piece, face, surface.line);
     }
 

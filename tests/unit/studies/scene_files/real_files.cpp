@@ -277,6 +277,9 @@ TEST(RealVs3Files, PutWindowsOnWalls) {
     EXPECT_DOUBLE_EQ(face_area(scene, 6), 1);
     EXPECT_NEAR(factor_of(scene, 0, 1) * 11 + factor_of(scene, 6, 1), factor_of(read_room("C encl=1\n"), 0, 1) * 12,
                 1e-10);
+    const Scene glass = read_room("C encl=1\nS 7 5 8 7 6 2 0 0.8 glass\n");
+    EXPECT_THAT(glass.faces, ElementsAre("floor", "wall", "wall.2", "wall to the north", "6", "glass"));
+    EXPECT_THAT(glass.remarks, ElementsAre("what lies on 'roof' leaves nothing of it; it is no face"));
     EXPECT_THROW(read_room("S 7 12 11 10 9 1 0 0.8 hatch\n"), UserError) << "it faces the other way";
     EXPECT_THROW(read_room("S 7 9 10 11 12 2 0 0.8 hatch\n"), UserError) << "it lies elsewhere";
     EXPECT_THROW(read_room("V 13 9 1 0\nS 7 9 13 11 12 1 0 0.8 hatch\n"), UserError) << "it reaches beyond";

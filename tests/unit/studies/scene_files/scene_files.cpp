@@ -223,8 +223,6 @@ TEST(SceneFiles, AreRefusedByFileAndLine) {
         {"a.vs3", vs3 + "V 3 0 0 0\n", "a.vs3:5: ", "twice"},
         {"a.vs3", vs3 + "S 1 1 2 3 0 4 0 0.9 a\n", "a.vs3:5: ", "lies on surface 4, which does not come before"},
         {"a.vs3", vs3 + "N 1 1 2 3 0 0 0 0.9 a\n", "a.vs3:5: ", "has no base"},
-        {"a.vs3", vs3 + "S 1 1 2 3 0 0 0 0.9 wall\nS 2 1 2 3 0 1 0 0.9 window\n",
-         "a.vs3:5: ", "nothing is left of surface 1"},
         {"a.vs3", "C encl=yes\n", "a.vs3:1: ", "has no number"},
         {"a.vs3", "F 3a\nS 1 X 0 0 0.9 a\n", "a.vs3:2: ", "expected a shape"},
         {"a.vs3", "F 3a\nS 1 R 0 0 0.9 a\n 0 0 0 b\n", "a.vs3:3: ", "number 4 of 7"},
