@@ -44,12 +44,13 @@ std::string why_untested(const CellComparison& cell) {
     return reasons.empty() ? "no trials yet" : fmt::format("{}", fmt::join(reasons, " or "));
 }
 
-/// What the tests would have detected in a standard deviation, and where.
-std::string detectable_spread_in_words(const CellComparison& cell) {
-    if (cell.spreads == 0) return "no factor";
-    std::string words = "a factor " + brief(cell.detectable_ratio, 2);
-    const bool everywhere = cell.spreads == cell.pairs - cell.untestable;
-    return everywhere ? words : words + fmt::format(" on {} of them", counted(cell.spreads, "pair"));
+/// What the tests would have detected, and where.
+std::string detectable_in_words(const CellComparison& cell, const studies::Detectable& detectable,
+                                std::string_view before) {
+    if (detectable.pairs == 0) return "nothing";
+    std::string words = fmt::format("{}{}", before, brief(detectable.size, 2));
+    const bool everywhere = detectable.pairs == cell.pairs - cell.untestable;
+    return everywhere ? words : words + fmt::format(" on {} of them", counted(detectable.pairs, "pair"));
 }
 
 std::string independent_in_words(const RunComparison& comparison, const CellComparison& cell) {
@@ -77,7 +78,8 @@ std::string independent_in_words(const RunComparison& comparison, const CellComp
                                      : fmt::format(" on {} of {} pairs, {} on the others", cell.pairs - cell.untestable,
                                                    cell.pairs, why_untested(cell));
     return fmt::format("no difference found{} (would detect {} in a mean, {} in a standard deviation)", untested,
-                       brief(cell.detectable_difference, 2), detectable_spread_in_words(cell));
+                       detectable_in_words(cell, cell.difference, ""),
+                       detectable_in_words(cell, cell.ratio, "a factor "));
 }
 
 }  // namespace

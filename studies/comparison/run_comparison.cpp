@@ -28,6 +28,7 @@ struct Test {
     double p = 1;
     std::size_t ratio = 0;                                  ///< index into the cell's ratios, for a test of RMSEs
     std::optional<std::array<stats::Measured, 2>> spreads;  ///< ln(variance) of both, for a test of these
+    std::optional<stats::MeanEvidence> means;               ///< their difference, for a test of these
 };
 
 Basis basis_of(const Cell& first, const Cell& second) {
@@ -132,7 +133,8 @@ void test_pairs(const CellEstimates& a, const CellEstimates& b, const Analysis& 
                          {pairs[i], means->difference, means->standard_error, 1},
                          stats::test_mean(*means).p,
                          0,
-                         {}});
+                         {},
+                         means});
         // Trials that never vary may have missed what would make them vary: they show no ratio.
         const auto spreads = compared_spreads(of_first, of_second, i);
         if (!spreads) continue;
@@ -142,7 +144,8 @@ void test_pairs(const CellEstimates& a, const CellEstimates& b, const Analysis& 
                          {pairs[i], std::exp((y.value - x.value) / 2), 0, 1},
                          stats::p_of_equal(x, y),
                          0,
-                         spreads});
+                         spreads,
+                         {}});
     }
 }
 
@@ -151,7 +154,7 @@ void test_classes(std::size_t index, const CellComparison& cell, std::vector<Tes
     for (std::size_t i = 0; i < cell.ratios.size(); ++i) {
         const auto& logarithms = cell.ratios[i].logarithms;
         if (logarithms.empty()) continue;
-        tests.push_back({index, Tested::rmse, {}, stats::p_of_equal(logarithms[0], logarithms[1]), i, {}});
+        tests.push_back({index, Tested::rmse, {}, stats::p_of_equal(logarithms[0], logarithms[1]), i, {}, {}});
     }
 }
 
@@ -188,6 +191,18 @@ void keep_smaller(std::optional<Contrast>& kept, const Contrast& contrast) {
     if (!kept || contrast.adjusted_p < kept->adjusted_p) kept = contrast;
 }
 
+double detectable_difference(const stats::MeanEvidence& means, double level, double power) {
+    const stats::Interval interval = stats::interval_of(means, level);
+    const double reach = std::max(means.difference - interval.low, interval.high - means.difference);
+    return reach + stats::normal_critical(1 - power) * means.standard_error;
+}
+
+void add(double size, Detectable& detectable) {
+    if (!std::isfinite(size)) return;
+    ++detectable.pairs;
+    detectable.size = std::max(detectable.size, size);
+}
+
 /// Shares the error rate among all tests, and judges the cells by them.
 void judge_cells(const std::vector<Test>& tests, RunComparison& comparison) {
     comparison.tests = tests.size();
@@ -197,7 +212,6 @@ void judge_cells(const std::vector<Test>& tests, RunComparison& comparison) {
     const auto adjusted = stats::holm(p);
     const double alpha = 1 - comparison.level;
     const double shared = stats::bonferroni_level(alpha, tests.size());
-    const double reach = stats::normal_critical(shared / 2) + stats::normal_critical(1 - comparison.power);
     for (std::size_t i = 0; i < tests.size(); ++i) {
         const Test& test = tests[i];
         CellComparison& cell = comparison.cells[test.cell];
@@ -206,15 +220,11 @@ void judge_cells(const std::vector<Test>& tests, RunComparison& comparison) {
         switch (test.tested) {
             case Tested::mean:
                 keep_smaller(cell.mean, contrast);
-                cell.detectable_difference = std::max(cell.detectable_difference, reach * contrast.error);
+                add(detectable_difference(*test.means, 1 - shared, comparison.power), cell.difference);
                 break;
             case Tested::spread:
                 keep_smaller(cell.spread, contrast);
-                if (const double ratio = detectable_ratio(*test.spreads, 1 - shared, comparison.power);
-                    std::isfinite(ratio)) {
-                    ++cell.spreads;
-                    cell.detectable_ratio = std::max(cell.detectable_ratio, ratio);
-                }
+                add(detectable_ratio(*test.spreads, 1 - shared, comparison.power), cell.ratio);
                 break;
             case Tested::rmse:
                 cell.ratios[test.ratio].adjusted_p = adjusted[i];

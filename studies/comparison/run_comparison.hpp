@@ -46,6 +46,13 @@ enum class Likeness { alike, different, untestable };
 /// Why a pair of two independent runs is not tested.
 enum class Untested { few_trials, repeated_trials, not_finite, infinite_variance, too_few_hits, no_spread };
 
+/// What would be detected at the level of the smallest p and with the power, on the worst of the pairs on which
+/// something would be.
+struct Detectable {
+    double size = 0;
+    std::size_t pairs = 0;  ///< their number; few trials of skewed estimates show nothing
+};
+
 /// One scene, method and size that both runs have.
 struct CellComparison {
     std::size_t first = 0;  ///< index into the findings of each run
@@ -58,13 +65,11 @@ struct CellComparison {
     std::set<Untested> obstacles;    ///< why they have none
     std::optional<Contrast> mean;    ///< independent runs: Welch
     std::optional<Contrast> spread;  ///< independent runs: the rule for means, for squared deviations
-    /// Difference of means that would be detected on the worst pair, at the level of the smallest p and with the power.
-    double detectable_difference = 0;
-    double detectable_ratio = 1;    ///< the same for the ratio of standard deviations, on the pairs that would show one
-    std::size_t spreads = 0;        ///< number of these pairs
-    std::size_t trials = 0;         ///< trials that both have; same random numbers only
-    std::size_t differing = 0;      ///< trials in which the value of some pair differs
-    double largest_difference = 0;  ///< deterministic only, on `largest_pair`
+    Detectable difference;           ///< of means
+    Detectable ratio{1, 0};          ///< of standard deviations
+    std::size_t trials = 0;          ///< trials that both have; same random numbers only
+    std::size_t differing = 0;       ///< trials in which the value of some pair differs
+    double largest_difference = 0;   ///< deterministic only, on `largest_pair`
     Quantity largest_pair;
 };
 

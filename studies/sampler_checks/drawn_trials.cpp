@@ -48,6 +48,18 @@ struct Integrands {
     }
 };
 
+/// Mixes the bits of a point's coordinates: the finaliser of SplitMix64 after each. @see [steele2014]
+std::uint64_t fingerprint_of(const std::array<std::uint32_t, max_dimension>& cell, std::size_t dimension) {
+    std::uint64_t bits = 0;
+    for (std::size_t d = 0; d < dimension; ++d) {
+        bits += cell[d] + 0x9e3779b97f4a7c15ULL;
+        bits = (bits ^ bits >> 30U) * 0xbf58476d1ce4e5b9ULL;
+        bits = (bits ^ bits >> 27U) * 0x94d049bb133111ebULL;
+        bits ^= bits >> 31U;
+    }
+    return bits;
+}
+
 /// Counts points in slices, trial by trial.
 class SliceCounter {
   public:
@@ -120,6 +132,7 @@ DrawnTrials draw_trials(const PointSource& source, std::size_t dimension, Stream
         const Stream picks{.key = {key.word1, ~key.word0}, .trial = stream.trial};
         const std::uint64_t pick = philox(picks, 0, Purpose::coordinates)[0] * points >> 32;
         std::array<double, 3> sums{};
+        std::uint64_t fingerprint = 0;
         for (PointIndex first = 0; first < points; first += block.size) {
             block.size = std::min<std::uint64_t>(block_capacity, points - first);
             source.fill(stream, first, block);
@@ -127,6 +140,7 @@ DrawnTrials draw_trials(const PointSource& source, std::size_t dimension, Stream
             for (std::size_t i = 0; i < block.size; ++i) {
                 std::array<std::uint32_t, max_dimension> cell{};
                 for (std::size_t d = 0; d < dimension; ++d) cell[d] = block.coordinate[d][i];
+                fingerprint += fingerprint_of(cell, dimension);
                 const auto values = integrands.at(cell);
                 for (std::size_t f = 0; f < sums.size(); ++f) sums[f] += values[f];
             }
@@ -136,6 +150,7 @@ DrawnTrials draw_trials(const PointSource& source, std::size_t dimension, Stream
             }
         }
         for (std::size_t f = 0; f < sums.size(); ++f) drawn.means[f].push_back(sums[f] / static_cast<double>(points));
+        drawn.fingerprints.push_back(fingerprint);
         if (slices) slices->end_trial();
     }
     if (slices) drawn.slices = slices->averages(trials);

@@ -31,6 +31,7 @@ struct DrawnTrials {
     std::vector<std::array<std::uint32_t, max_dimension>> picked;   ///< a point picked at random from each set
     std::array<std::vector<double>, integrand_names.size()> means;  ///< [function]: its mean over each set
     std::array<double, integrand_names.size()> largest{};           ///< [function]: its largest value
+    std::vector<std::uint64_t> fingerprints;                        ///< of the sets, whatever the order of their points
     std::vector<SliceCounts> slices;  ///< one for each coordinate; empty for more than `most_for_slices` points
 };
 

@@ -9,6 +9,7 @@
 #include "stats/goodness_of_fit/chi_squared.hpp"
 #include "stats/means/mean_test.hpp"
 #include "studies/sampler_checks/drawn_trials.hpp"
+#include "studies/sampler_checks/repeated_sets.hpp"
 #include "studies/sampler_checks/structure_checks.hpp"
 
 #include <fmt/format.h>
@@ -263,6 +264,7 @@ SamplerChecks check_sampler(const samplers::CatalogueEntry& sampler, const Sampl
         return result;
     }
     const DrawnTrials drawn = draw_trials(*source, request.dimension, key, result.trials);
+    result.checks.push_back(check_repeated_sets(drawn.fingerprints));
     const std::size_t family = request.dimension * (request.dimension + 1) / 2 + 2 * integrand_names.size();
     const stats::Risks risks{stats::bonferroni_level(request.alpha, family), request.power};
     const auto tests = test_all(drawn, request.dimension, risks, result.not_asked);

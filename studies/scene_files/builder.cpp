@@ -19,7 +19,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -247,7 +246,7 @@ void SceneBuilder::leave_out_doubles() {
     for (std::size_t i = 0; i < scene_.surfaces.size(); ++i)
         prints.emplace_back(fingerprint(numbers_of(scene_.surfaces[i])), i);
     std::sort(prints.begin(), prints.end());
-    std::vector<std::size_t> doubles;
+    std::vector<bool> is_double(scene_.surfaces.size());
     for (std::size_t i = 0; i < prints.size(); ++i) {
         const auto [print, second] = prints[i];
         const Surface& surface = scene_.surfaces[second];
@@ -259,16 +258,19 @@ void SceneBuilder::leave_out_doubles() {
                 fail(lines_[second],
                      fmt::format("{} is the same as {} of line {} (rays could end on either). Keep one.",
                                  owner(surface.face), owner(other.face), lines_[first]));
-            doubles.push_back(second);
+            is_double[second] = true;
             changes_.note(PolygonChange::twice, lines_[second]);
             break;
         }
     }
-    std::sort(doubles.begin(), doubles.end(), std::greater<>());
-    for (const std::size_t surface : doubles) {
-        scene_.surfaces.erase(scene_.surfaces.begin() + static_cast<std::ptrdiff_t>(surface));
-        lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(surface));
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < scene_.surfaces.size(); ++i) {
+        if (is_double[i]) continue;
+        scene_.surfaces[kept] = scene_.surfaces[i];
+        lines_[kept++] = lines_[i];
     }
+    scene_.surfaces.erase(scene_.surfaces.begin() + static_cast<std::ptrdiff_t>(kept), scene_.surfaces.end());
+    lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(kept), lines_.end());
 }
 
 void SceneBuilder::cut_out_covered_parts(std::vector<FaceMaterial>* materials) {

@@ -80,7 +80,8 @@ class ZoneReader {
                   "internal masses have no geometry and are left out");
         remark_on(frames_, "a frame of a window counts as a part of its wall",
                   "frames of windows count as parts of their walls");
-        remark_on(openings_, "a surface is an air boundary, which is opaque here; EnergyPlus joins the zones on both sides",
+        remark_on(openings_,
+                  "a surface is an air boundary, which is opaque here; EnergyPlus joins the zones on both sides",
                   "surfaces are air boundaries, which are opaque here; EnergyPlus joins the zones on both sides");
         if (walls_.empty())
             throw UserError(

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -149,7 +150,9 @@ class ObjReader {
         return given > 0 ? given - 1 : static_cast<std::int64_t>(vertices_.size()) + given;
     }
 
-    void read_comment(const std::string& comment) {
+    void read_comment(std::string comment) {
+        std::transform(comment.begin(), comment.end(), comment.begin(),
+                       [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
         closed_ = closed_ || comment == closed_scene;
         if (comment.starts_with(meshes::volume_cells_comment)) read_volume_cells(comment);
         for (const std::string_view by : obj_faces) {

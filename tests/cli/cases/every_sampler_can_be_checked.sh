@@ -61,6 +61,13 @@ awk 'BEGIN {
 ffstudy check-sampler file:repeated.txt
 expect_status 1
 expect_stdout "FAIL          trials independent, a smooth function"
+expect_stdout "FAIL          sets differ"
+# A file of half as many sets, written twice, has no serial correlation.
+head -n 17000 biased.txt >half.txt
+cat half.txt half.txt >twice.txt
+ffstudy check-sampler file:twice.txt
+expect_status 1
+expect_stdout "1000 sets come back after 1000 trials"
 ffstudy check-sampler same_seed
 expect_stdout "same_seed"
 

@@ -81,6 +81,7 @@ TEST(RealObjFiles, HaveAScaleAndAnAxisThatPointsUp) {
     EXPECT_EQ(read_cube(floor + "# up z\n").surfaces.front().normal, Eigen::Vector3d(0, 0, 1));
     EXPECT_THAT(read_cube(floor + "# scale 0.001\n# up y\n").remarks,
                 ElementsAre("its lengths are multiplied by 0.001", HasSubstr("its y axis")));
+    EXPECT_TRUE(read_cube(floor + "# Closed\n").closed);
     // Comments that mean something else are passed over.
     EXPECT_THAT(read_cube(floor + "# scale\n# scale of nothing\n# scale 0\n# scale -2\n# up to date\n").remarks,
                 IsEmpty());
