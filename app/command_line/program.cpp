@@ -50,7 +50,7 @@ int run_program(std::span<char*> arguments, const std::string& summary,
         program.version = fmt::format("ffstudy {} ({})", build_info::version, build_info::revision);
         program.footer =
             "Exit codes: 0 passed, 1 out of tolerance or a contradiction, 2 usage or input, 3 input/output, 4 "
-            "inconclusive, 130 interrupted (what was done is saved).";
+            "inconclusive or a faulty scene, 130 interrupted (what was done is saved).";
         add(program);
         return parse_and_act(program, arguments);
     });

@@ -25,7 +25,7 @@ void add_options_of_scenes(CommandDefinition& sub, FormFactorsCommand& command, 
                    {.type = "FACES", .choices = {studies::obj_faces.begin(), studies::obj_faces.end()}});
     if (may_load) of_a_run(faces);
     OptionDefinition& closed =
-        sub.option("--closed", command.closed, "An OBJ file or a mesh is closed: every ray hits something");
+        sub.option("--closed", command.closed, "Treat an OBJ file or a mesh as closed: every ray hits something");
     if (may_load) of_a_run(closed);
     OptionDefinition& zone = sub.option(
         "--zone", command.zone, "Zone or space of an EnergyPlus file (default: its only zone)", {.type = "NAME"});
@@ -65,7 +65,7 @@ void add_form_factors(ProgramDefinition& program, FormFactorsCommand& command) {
         sub.option("--tolerance", request.tolerance, "Largest half width of an interval", {.shows_default = true}));
     of_a_run(
         sub.option("--relative", request.relative, "Or this share of the factor, where that is more: 0.01 for 1 %"));
-    of_a_run(sub.option("--drop", request.drop, "Keep only sums of pairs with factors below this"));
+    of_a_run(sub.option("--drop", request.drop, "Of pairs with factors below this, keep only the sums"));
     of_a_run(sub.option("--surroundings", request.surroundings,
                         "Name of an added face that receives what leaves an open scene", {.type = "NAME"}));
     of_a_run(sub.option("--level", request.level, "Level of the intervals", {.shows_default = true}));

@@ -78,7 +78,10 @@ class Finder {
         }
         return false;
     }
-    /// Whether the body of a bottom rises at all of its edges, but those between parts of the bottom.
+    /// Whether another surface at an edge is the back of this one, as in a plate with two sides.
+    [[nodiscard]] bool has_back(std::uint32_t surface, const std::vector<std::uint32_t>& at_edge) const;
+    /// Whether the body of a bottom rises at all of its edges, but those between parts of the bottom. Where each of its
+    /// sides has a back, and the ground ends there too, bottom and ground are a plate of a shell with two sides.
     [[nodiscard]] bool is_bottom_on(std::uint32_t bottom, std::uint32_t ground) const;
     void find_bottoms(const BoxTree& tree);
     void find_rims(const BoxTree& tree);
@@ -125,24 +128,40 @@ void Finder::take_away(std::uint32_t surface, ConvexPolygon polygon) {
     *left = without(*left, polygon, from.normal, gap_);
 }
 
+bool Finder::has_back(std::uint32_t surface, const std::vector<std::uint32_t>& at_edge) const {
+    const Vector3d& normal = scene_.surfaces[surface].normal;
+    return std::any_of(at_edge.begin(), at_edge.end(), [&](std::uint32_t other) {
+        return scene_.surfaces[other].normal.dot(normal) < 0 && is_level(other, normal, polygons_[surface].front());
+    });
+}
+
 bool Finder::is_bottom_on(std::uint32_t bottom, std::uint32_t ground) const {
     const Vector3d& normal = scene_.surfaces[ground].normal;
     const Vector3d& place = polygons_[ground].front();
     const auto& ring = rings_[bottom];
     bool any = false;
+    bool is_plate = true;
     for (std::size_t k = 0; k < ring.size(); ++k) {
         const auto& here = at_edge_.at(edge_between(ring[k], next_corner(ring, k)));
-        // A side of the same body runs through the edge the other way; a wall of a room beyond does not.
-        const bool side = std::any_of(here.begin(), here.end(), [&](std::uint32_t other) {
-            return other != bottom && rises(other, normal, place) && runs(other, next_corner(ring, k), ring[k]);
+        const bool ground_ends = std::any_of(here.begin(), here.end(), [&](std::uint32_t other) {
+            return scene_.surfaces[other].face == scene_.surfaces[ground].face && is_level(other, normal, place) &&
+                   scene_.surfaces[other].normal.dot(normal) > 0;
         });
+        bool side = false;
+        for (const std::uint32_t other : here) {
+            // A side of the same body runs through the edge the other way; a wall of a room beyond does not.
+            if (other == bottom || !rises(other, normal, place) || !runs(other, next_corner(ring, k), ring[k]))
+                continue;
+            side = true;
+            is_plate = is_plate && ground_ends && has_back(other, here);
+        }
         const bool more_of_it = std::any_of(here.begin(), here.end(), [&](std::uint32_t other) {
             return other != bottom && is_level(other, normal, place) && scene_.surfaces[other].normal.dot(normal) < 0;
         });
         if (!side && !more_of_it) return false;
         any = any || side;
     }
-    return any;
+    return any && !is_plate;
 }
 
 void Finder::find_bottoms(const BoxTree& tree) {

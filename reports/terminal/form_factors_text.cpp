@@ -121,7 +121,7 @@ std::string form_factors_verdict(const FormFactorReport& report) {
         text = fmt::format("NOT to be trusted (see the warnings), though as the scene is read {} {} within {}.", pairs,
                            all == 1 ? "is" : "are", tolerance);
     } else {
-        text = all == 1 ? fmt::format("The pair of faces is within {}.", tolerance)
+        text = all == 1 ? fmt::format("The only factor is within {}.", tolerance)
                         : fmt::format("All {} are within {}.", pairs, tolerance);
     }
     if (missed > 0) {

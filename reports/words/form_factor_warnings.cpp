@@ -23,7 +23,7 @@ bool is_sampled(const FormFactorReport& report, std::size_t face) {
 std::string row_warning(const FormFactorReport& report, const std::vector<std::size_t>& rows) {
     std::string cause = "a hole, or surfaces that cross each other or face the wrong way";
     if (!report.matrix.faults.empty()) {
-        cause = "for what is said above";
+        cause = "for the reason given above";
     } else if (report.matrix.lost_rays == 0 &&
                std::any_of(rows.begin(), rows.end(), [&](std::size_t row) { return is_sampled(report, row); })) {
         cause =

@@ -329,6 +329,11 @@ Scene SceneBuilder::finish(bool closed, std::vector<FaceMaterial>* materials) {
     const std::vector<double> coordinates(coordinates_.begin(), coordinates_.end());
     scene_.coordinate_rounding = coordinate_rounding(coordinates, box.sizes().maxCoeff());
     cut_out_covered_parts(materials);
+    if (scene_.faces.empty())
+        throw UserError(
+            fmt::format("{}: faces cover each other wholly (nothing would be computed). Remove those that "
+                        "are not meant.",
+                        name_));
     scene_.canonical = canonical_of(scene_);
     return std::move(scene_);
 }

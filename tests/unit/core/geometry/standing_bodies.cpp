@@ -1,11 +1,13 @@
 #include "core/geometry/standing_bodies.hpp"
 
 #include "core/geometry/box.hpp"
+#include "core/geometry/surface_map.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <vector>
 
 namespace ff {
@@ -102,6 +104,72 @@ TEST(StandingBodies, ExcludeThinWallsOpenTubesPicturesAndRooms) {
     EXPECT_FALSE(standing_bodies(above, gap).any()) << "it hovers";
     std::vector<Surface> beneath = body({1, 1, -1}, {1, 1, 1}, 1);
     EXPECT_FALSE(standing_bodies(floor_with(beneath), gap).any()) << "its top is the other side of the floor";
+}
+
+/// Each surface with its back: face 1 outside, face 2 inside. Polygons are halved across the one or the other diagonal.
+std::vector<Surface> shell(const std::vector<Surface>& outside, bool in_triangles) {
+    std::vector<Surface> both;
+    for (const Surface& surface : outside) {
+        const auto polygon = corners(surface.shape);
+        const auto add = [&](std::size_t a, std::size_t b, std::size_t c, int face) {
+            both.push_back({Triangle{polygon[a], polygon[b], polygon[c]}, surface.normal * (face == 1 ? 1 : -1), face});
+        };
+        if (in_triangles) {
+            add(0, 1, 2, 1), add(0, 2, 3, 1);
+            add(1, 0, 3, 2), add(2, 1, 3, 2);
+        } else {
+            both.push_back(surface);
+            both.push_back({surface.shape, -surface.normal, 2});
+        }
+    }
+    return both;
+}
+
+TEST(StandingBodies, ExcludeShellsWithTwoSides) {
+    for (const bool in_triangles : {false, true}) {
+        for (const std::size_t sides : {6U, 5U}) {  // with and without the bottom, which is last
+            std::vector<Surface> box = body({1, 1, 1}, {1, 2, 0.5}, 1);
+            if (sides == 5) std::rotate(box.begin() + 4, box.begin() + 5, box.end()), box.resize(5);  // open above
+            Scene floating = floor_with(shell(box, in_triangles));
+            floating.faces.emplace_back("inside");
+            EXPECT_FALSE(standing_bodies(floating, gap).any()) << sides << in_triangles;
+            for (Surface& surface : floating.surfaces) {
+                if (surface.face == 2) surface.face = 1;
+            }
+            EXPECT_FALSE(standing_bodies(floating, gap).any()) << sides << in_triangles << ", of one face";
+        }
+    }
+}
+
+TEST(StandingBodies, AreShellsWithTwoSidesToo) {
+    for (const bool in_triangles : {false, true}) {
+        const Scene scene = [&] {
+            Scene standing = floor_with(shell(body({1.5, 1, 0}, {1, 2, 0.5}, 1), in_triangles));
+            standing.faces.emplace_back("inside");
+            return standing;
+        }();
+        const auto found = standing_bodies(scene, gap);
+        EXPECT_NEAR(area_left(scene, found, 0), 14, 1e-12);
+        EXPECT_NEAR(area_left(scene, found, 1), 2 * (0.5 + 1) + 2, 1e-12);
+        EXPECT_NEAR(area_left(scene, found, 2), 2 * (0.5 + 1) + 4, 1e-12) << "nothing of the inside";
+    }
+}
+
+// The tiles beneath and behind the body are as large as its sides, which are thus their backs.
+TEST(StandingBodies, StandOnTilesOfTheirSizeInACorner) {
+    std::vector<Surface> box = body({0, 0, 0}, {1, 1, 1}, 2);
+    Scene scene;
+    scene.faces = {"floor", "walls", "body"};
+    for (const int x : {0, 1}) {
+        for (const int y : {0, 1}) scene.surfaces.push_back(side(Vector3d(x, y, 0), {1, 0, 0}, {0, 1, 0}, 0));
+        scene.surfaces.push_back(side(Vector3d(x, 0, 0), {0, 0, 1}, {1, 0, 0}, 1));
+        scene.surfaces.push_back(side(Vector3d(0, x, 0), {0, 1, 0}, {0, 0, 1}, 1));
+    }
+    scene.surfaces.insert(scene.surfaces.end(), box.begin(), box.end());
+    const auto found = standing_bodies(scene, gap);
+    EXPECT_NEAR(area_left(scene, found, 0), 3, 1e-12);
+    EXPECT_NEAR(area_left(scene, found, 1), 2, 1e-12);
+    EXPECT_NEAR(area_left(scene, found, 2), 3, 1e-12);
 }
 
 }  // namespace
