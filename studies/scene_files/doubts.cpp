@@ -1,6 +1,7 @@
 #include "core/geometry/placement.hpp"
 #include "core/visibility/level_overlaps.hpp"
 #include "core/visibility/mirrors.hpp"
+#include "studies/scene_files/formats.hpp"
 #include "studies/scene_files/orientation.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "studies/scene_files/winding.hpp"
@@ -200,9 +201,10 @@ bool is_inside_out(const SideProbes& probes) {
     return between_fronts == 0 && 2 * between_backs > rays;
 }
 
-std::string how_to_turn(std::size_t faces) {
-    return fmt::format("Turn {} round: the other order of corners in OBJ and View3D, flip or facing in TOML.",
-                       faces == 1 ? "it" : "them");
+std::string how_to_turn(const Scene& scene, std::size_t faces) {
+    return fmt::format("Turn {} round: {}.", faces == 1 ? "it" : "them",
+                       has_extension(scene.name, ".toml") ? "set flip, or facing of a curved surface"
+                                                          : "reverse the order of the corners of each polygon");
 }
 
 void add_orientation(const Scene& scene, SceneDoubts& doubts) {
@@ -215,7 +217,8 @@ void add_orientation(const Scene& scene, SceneDoubts& doubts) {
         (may_be_meant ? doubts.notes : doubts.faults)
             .push_back(fmt::format("{}: faces seem to face outwards (no ray from a radiating side meets another, while "
                                    "most from the backs meet backs). {}{}",
-                                   name, may_be_meant ? "If a room is meant: " : "", how_to_turn(scene.faces.size())));
+                                   name, may_be_meant ? "If a room is meant: " : "",
+                                   how_to_turn(scene, scene.faces.size())));
         return;
     }
     std::vector<std::size_t> leaking;
@@ -240,7 +243,7 @@ void add_orientation(const Scene& scene, SceneDoubts& doubts) {
         (scene.closed ? doubts.faults : doubts.notes)
             .push_back(fmt::format("{}: {} {} to face the wrong way ({}; with {} turned round, hardly any would). {}",
                                    name, names(scene, turned), turned.size() == 1 ? "seems" : "seem", ends,
-                                   turned.size() == 1 ? "it" : "them", how_to_turn(turned.size())));
+                                   turned.size() == 1 ? "it" : "them", how_to_turn(scene, turned.size())));
         return;
     }
     if (leaks) {

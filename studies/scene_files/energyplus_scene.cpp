@@ -3,6 +3,7 @@
 #include "core/support/words.hpp"
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/energyplus/input_file.hpp"
+#include "studies/scene_files/energyplus_zones.hpp"
 #include "studies/scene_files/formats.hpp"
 #include "studies/scene_files/vs3_surface.hpp"
 
@@ -12,10 +13,8 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -29,13 +28,8 @@ using energyplus::Object;
 constexpr std::string_view windows_class = "fenestrationsurface:detailed";
 /// EnergyPlus names the side in the other zone so, where a file describes a wall between zones once.
 constexpr std::string_view prefix_of_other_side = "iz-";
-
-/// Where a zone lies where coordinates are relative to it.
-struct ZonePlace {
-    std::string name;
-    Vector3d origin = Vector3d::Zero();
-    double north = 0;  ///< degrees that it is turned by, clockwise from above
-};
+/// A window that is further off its wall, however large that is, may be meant to be there. Files are in metres.
+constexpr double most_metres_off = 0.01;
 
 /// A wall, floor or roof of the zone that is read.
 struct ZoneWall {
@@ -45,73 +39,44 @@ struct ZoneWall {
     std::vector<Vs3Surface> windows;
 };
 
-Vector3d turned_clockwise(const Vector3d& place, double degrees) {
-    const double c = cosine(degrees), s = sine(degrees);
-    return {c * place.x() + s * place.y(), c * place.y() - s * place.x(), place.z()};
-}
-
 class ZoneReader {
   public:
-    ZoneReader(std::string_view name, const std::vector<Object>& objects) : builder_(name), objects_(objects) {
+    ZoneReader(std::string_view name, const std::vector<Object>& objects, const std::string& wanted)
+        : name_(name), builder_(name), objects_(objects), zones_(name, objects, wanted) {
+        lacks_version_ = has_extension(name, ".idf");
         for (const Object& object : objects) {
-            if (object.kind->name == "globalgeometryrules") read_rules(object);
-            if (object.kind->name == "zone") read_zone(object);
-            if (object.kind->name == "space")
-                spaces_.emplace(small(object, "name"), std::pair(object.text("name"), small(object, "zone_name")));
-            if (object.kind->name == "construction:airboundary") air_boundaries_.insert(small(object, "name"));
+            if (object.kind->name == "construction:airboundary") air_boundaries_.insert(object.small_text("name"));
+            if (object.kind->name == "version") lacks_version_ = false;
         }
-        if (!rules_are_read_)
-            throw UserError(
-                fmt::format("{}: no GlobalGeometryRules (it says which side of a surface faces the zone). "
-                            "Add the object.",
-                            name));
-        if (zones_.empty()) throw UserError(fmt::format("{}: no zone (nothing would be computed). Add one.", name));
-        name_ = name;
     }
 
-    ZoneScene read(const std::string& wanted) {
-        choose(wanted);
+    ZoneScene read() {
         for (const Object& object : objects_) read_object(object);
         for (const Object& object : objects_) {
             if (object.kind->name == windows_class) read_window(object);
         }
         for (const ZoneWall& wall : walls_) add(wall);
-        remark_on(masses_, "an internal mass has no geometry and is left out",
-                  "internal masses have no geometry and are left out");
-        remark_on(frames_, "a frame of a window counts as a part of its wall",
-                  "frames of windows count as parts of their walls");
-        remark_on(openings_,
-                  "a surface is an air boundary, which is opaque here; EnergyPlus joins the zones on both sides",
-                  "surfaces are air boundaries, which are opaque here; EnergyPlus joins the zones on both sides");
+        remark_on_what_differs();
         if (walls_.empty())
             throw UserError(
                 fmt::format("{}: zone '{}' has no surface that is read (nothing would be computed). Choose "
                             "another one.",
-                            name_, excerpt(chosen_)));
+                            name_, excerpt(zones_.chosen())));
         Scene scene = builder_.finish(true);
-        return {std::move(scene), chosen_};
+        return {std::move(scene), zones_.chosen()};
     }
 
   private:
     std::string name_;
     SceneBuilder builder_;
     const std::vector<Object>& objects_;
-    bool rules_are_read_ = false;
-    bool is_clockwise_ = false;
-    bool is_relative_ = false;
-    std::map<std::string, ZonePlace> zones_;                             ///< these and others by name in small letters
-    std::map<std::string, std::pair<std::string, std::string>> spaces_;  ///< name, and zone in small letters
+    EnergyPlusZones zones_;
+    bool lacks_version_ = false;  ///< fields of an IDF file depend on it
     std::set<std::string> air_boundaries_;
-    std::string chosen_;  ///< name of the zone or space that is read
-    std::string zone_;    ///< it, or that of the space
-    std::string space_;   ///< empty: the whole zone
     std::map<std::string, const Object*> surfaces_;
     std::vector<ZoneWall> walls_;
-    std::vector<std::uint64_t> masses_, frames_, openings_;  ///< lines
-
-    static std::string small(const Object& object, std::string_view field) {
-        return in_small_letters(object.text(field));
-    }
+    std::vector<std::uint64_t> masses_, frames_, openings_, fitted_;  ///< lines
+    double most_fitted_ = 0;                                          ///< how far off its wall a window was at most
 
     void remark_on(const std::vector<std::uint64_t>& lines, std::string_view one, std::string_view several) {
         if (lines.size() == 1) builder_.remark(fmt::format("{} (line {})", one, lines[0]));
@@ -119,95 +84,24 @@ class ZoneReader {
             builder_.remark(fmt::format("{} {} (the first in line {})", lines.size(), several, lines[0]));
     }
 
-    [[nodiscard]] double number(const energyplus::Field& field, std::string_view what) const {
-        const auto value = finite_number(field.text);
-        if (!value)
-            builder_.fail(field.line,
-                          fmt::format("{} is {}, not a finite number. Correct it.", what,
-                                      field.text.empty() ? "blank" : fmt::format("'{}'", excerpt(field.text))));
-        return *value;
+    void remark_on_what_differs() {
+        if (lacks_version_) builder_.remark(std::string(energyplus::without_version));
+        remark_on(masses_, "an internal mass has no geometry and is left out",
+                  "internal masses have no geometry and are left out");
+        remark_on(frames_, "a frame of a window counts as a part of its wall",
+                  "frames of windows count as parts of their walls");
+        remark_on(openings_,
+                  "a surface is an air boundary, which is opaque here; EnergyPlus joins the zones on both sides",
+                  "surfaces are air boundaries, which are opaque here; EnergyPlus joins the zones on both sides");
+        remark_on(
+            fitted_,
+            fmt::format("a window or door is {:.2g} off its wall, and is put into its plane and outline", most_fitted_),
+            fmt::format("windows and doors are up to {:.2g} off their walls, and are put into their planes and "
+                        "outlines",
+                        most_fitted_));
     }
 
-    [[nodiscard]] double number_or_0(const Object& object, std::string_view field) const {
-        if (object.text(field).empty()) return 0;
-        return number(object.fields.find(field)->second, field);
-    }
-
-    /// EnergyPlus knows these by their first letters as well.
-    void read_rules(const Object& object) {
-        rules_are_read_ = true;
-        const auto says = [&](std::string_view field, std::initializer_list<std::string_view> beginnings) {
-            return std::any_of(
-                beginnings.begin(), beginnings.end(),
-                [text = small(object, field)](std::string_view begin) { return text.starts_with(begin); });
-        };
-        constexpr std::string_view direction = "vertex_entry_direction", system = "coordinate_system";
-        is_clockwise_ = says(direction, {"cl", "cw"});
-        if (!is_clockwise_ && !says(direction, {"co", "cc"}))
-            builder_.fail(object.line_of(direction),
-                          fmt::format("vertex entry direction '{}' is unknown. Write Counterclockwise or Clockwise.",
-                                      excerpt(object.text(direction))));
-        is_relative_ = says(system, {"r"});
-        if (!is_relative_ && !says(system, {"w", "a"}))
-            builder_.fail(object.line_of(system),
-                          fmt::format("coordinate system '{}' is unknown. Write World or Relative.",
-                                      excerpt(object.text(system))));
-    }
-
-    void read_zone(const Object& object) {
-        const ZonePlace place{
-            object.text("name"),
-            {number_or_0(object, "x_origin"), number_or_0(object, "y_origin"), number_or_0(object, "z_origin")},
-            number_or_0(object, "direction_of_relative_north")};
-        if (!zones_.emplace(small(object, "name"), place).second)
-            builder_.fail(object.line,
-                          fmt::format("zone '{}' is defined twice (surfaces could be of either). Rename one.",
-                                      excerpt(place.name)));
-    }
-
-    void choose(const std::string& wanted) {
-        const std::string key = in_small_letters(wanted);
-        if (const auto zone = zones_.find(key); zone != zones_.end()) {
-            zone_ = key;
-            chosen_ = zone->second.name;
-        } else if (const auto space = spaces_.find(key);
-                   space != spaces_.end() && zones_.contains(space->second.second)) {
-            space_ = key;
-            std::tie(chosen_, zone_) = space->second;
-        } else if (wanted.empty() && zones_.size() == 1) {
-            zone_ = zones_.begin()->first;
-            chosen_ = zones_.begin()->second.name;
-        } else {
-            constexpr std::size_t most_listed = 20;
-            std::vector<std::string> names;
-            for (const Object& object : objects_) {
-                if (object.kind->name == "zone") names.push_back(fmt::format("'{}'", excerpt(object.text("name"))));
-            }
-            const std::size_t zones = names.size();
-            names.resize(std::min(zones, most_listed));
-            std::string list = fmt::format("{}", fmt::join(names, ", "));
-            if (zones > most_listed) list += fmt::format(" and {} more", zones - most_listed);
-            throw UserError(
-                wanted.empty()
-                    ? fmt::format("{}: {} zones (an enclosure is one of them): {}. Choose by --zone, or in a study by "
-                                  "scene = \"{} zone:{}\".",
-                                  name_, zones, list, name_, zones_.begin()->second.name)
-                    : fmt::format("{}: no zone or space is called '{}'. Zones are {}.", name_, excerpt(wanted), list));
-        }
-    }
-
-    [[nodiscard]] const std::string& zone_of_space(const std::string& space) const {
-        static const std::string none;
-        const auto found = spaces_.find(space);
-        return found == spaces_.end() ? none : found->second.second;
-    }
-
-    [[nodiscard]] bool is_chosen(const std::string& zone, const std::string& space) const {
-        return space_.empty() ? zone == zone_ : space == space_;
-    }
-
-    /// Corners as seen from the inside, in the coordinates of the zone that is read: only these keep right angles
-    /// exact.
+    /// Corners as seen from the inside, in the coordinates of the zone that is read.
     /// @param from  zone whose coordinates they are in
     [[nodiscard]] ConvexPolygon corners_of(const Object& object, const std::string& from, bool is_other_side) const {
         const std::string& count = object.text("number_of_vertices");
@@ -217,9 +111,9 @@ class ZoneReader {
         if (!is_open && (!announced || *announced != static_cast<double>(given)))
             builder_.fail(
                 object.line_of("number_of_vertices"),
-                fmt::format("'{}' has {} vertices, and '{}' are announced. Correct the number, or the version: "
+                fmt::format("'{}' has {} vertices, and '{}' are announced{}. Correct the number, or the version: "
                             "fields moved in 9.0 and 9.6.",
-                            excerpt(object.text("name")), given, excerpt(count)));
+                            excerpt(object.text("name")), given, excerpt(count), version_in_brackets()));
         if (given < 3)
             builder_.fail(object.line, fmt::format("'{}' has {} vertices (a surface has three or more). Correct it.",
                                                    excerpt(object.text("name")), given));
@@ -227,17 +121,17 @@ class ZoneReader {
         for (const energyplus::Vertex& vertex : object.vertices) {
             Vector3d place;
             for (std::size_t axis = 0; axis < 3; ++axis)
-                place[static_cast<Eigen::Index>(axis)] = number(vertex.at(axis), "a coordinate");
-            corners.push_back(place);
+                place[static_cast<Eigen::Index>(axis)] =
+                    energyplus::number_of_field(name_, vertex.at(axis), "a coordinate");
+            corners.push_back(zones_.moved(place, from));
         }
-        if (is_relative_ && from != zone_) {
-            const ZonePlace& own = zones_.at(zone_);
-            const ZonePlace& other = zones_.at(from);
-            const Vector3d between = turned_clockwise(other.origin - own.origin, -own.north);
-            for (Vector3d& corner : corners) corner = turned_clockwise(corner, other.north - own.north) + between;
-        }
-        if (is_clockwise_ == is_other_side) std::reverse(corners.begin(), corners.end());
+        if (zones_.is_clockwise() == is_other_side) std::reverse(corners.begin(), corners.end());
         return corners;
+    }
+
+    /// What to add to a message where fields may not be what they were taken for.
+    [[nodiscard]] std::string version_in_brackets() const {
+        return lacks_version_ ? fmt::format(" ({})", energyplus::without_version) : std::string();
     }
 
     void read_object(const Object& object) {
@@ -247,10 +141,10 @@ class ZoneReader {
                           fmt::format("'{}' is of the class {} (only surfaces with vertices are read). Write "
                                       "it as BuildingSurface:Detailed or FenestrationSurface:Detailed.",
                                       excerpt(name), object.kind->name));
-        if (object.kind->name == "internalmass" && small(object, "zone_or_zonelist_name") == zone_)
+        if (object.kind->name == "internalmass" && object.small_text("zone_or_zonelist_name") == zones_.zone())
             masses_.push_back(object.line);
         if (object.kind->shape != energyplus::Shape::polygon) return;
-        const auto [first, is_new] = surfaces_.emplace(small(object, "name"), &object);
+        const auto [first, is_new] = surfaces_.emplace(object.small_text("name"), &object);
         if (!is_new)
             builder_.fail(
                 object.line,
@@ -259,19 +153,19 @@ class ZoneReader {
     }
 
     void read_wall(const Object& object) {
-        const std::string zone = small(object, "zone_name");
-        if (!zones_.contains(zone))
+        const std::string zone = object.small_text("zone_name");
+        if (!zones_.is_defined(zone))
             builder_.fail(object.line_of("zone_name"),
-                          fmt::format("zone '{}' is not defined (a surface belongs to one). "
-                                      "Correct the name, or the version: fields moved in 9.6.",
-                                      excerpt(object.text("zone_name"))));
-        const std::string boundary = small(object, "outside_boundary_condition");
-        const std::string behind = small(object, "outside_boundary_condition_object");
-        const bool is_own = is_chosen(zone, small(object, "space_name"));
-        const bool is_other_side = (boundary == "zone" && is_chosen(behind, {})) ||
-                                   (boundary == "space" && is_chosen(zone_of_space(behind), behind));
+                          fmt::format("zone '{}' is not defined{}. Correct the name, or the version: fields moved in "
+                                      "9.6.",
+                                      excerpt(object.text("zone_name")), version_in_brackets()));
+        const std::string boundary = object.small_text("outside_boundary_condition");
+        const std::string behind = object.small_text("outside_boundary_condition_object");
+        const bool is_own = zones_.is_chosen(zone, object.small_text("space_name"));
+        const bool is_other_side = (boundary == "zone" && zones_.is_chosen(behind, {})) ||
+                                   (boundary == "space" && zones_.is_chosen(zones_.zone_of_space(behind), behind));
         if (!is_own && !is_other_side) return;
-        if (air_boundaries_.contains(small(object, "construction_name"))) openings_.push_back(object.line);
+        if (air_boundaries_.contains(object.small_text("construction_name"))) openings_.push_back(object.line);
         const auto put = [&](bool other) {
             Vs3Surface surface;
             surface.line = object.line;
@@ -286,7 +180,7 @@ class ZoneReader {
     void read_window(const Object& object) {
         const std::string& name = object.text("name");
         constexpr std::string_view base_field = "building_surface_name", multiplier = "multiplier";
-        const auto base = surfaces_.find(small(object, base_field));
+        const auto base = surfaces_.find(object.small_text(base_field));
         if (base == surfaces_.end() || base->second->kind->name == windows_class)
             builder_.fail(
                 object.line_of(base_field),
@@ -294,7 +188,8 @@ class ZoneReader {
                             excerpt(name), excerpt(object.text(base_field))));
         for (ZoneWall& wall : walls_) {
             if (wall.object != base->second) continue;
-            if (!object.text(multiplier).empty() && number(object.fields.find(multiplier)->second, multiplier) != 1)
+            if (!object.text(multiplier).empty() &&
+                energyplus::number_of_field(name_, object.fields.find(multiplier)->second, multiplier) != 1)
                 builder_.fail(
                     object.line_of(multiplier),
                     fmt::format("'{}' stands for {} windows (form factors need each at its place). Write them "
@@ -304,11 +199,15 @@ class ZoneReader {
             Vs3Surface window;
             window.line = object.line;
             window.name = fmt::format("{}{}", wall.is_other_side ? prefix_of_other_side : "", name);
-            window.corners = corners_of(object, small(*wall.object, "zone_name"), wall.is_other_side);
+            window.corners = corners_of(object, wall.object->small_text("zone_name"), wall.is_other_side);
             turn_around(window.corners, wall.surface.normal());
-            if (const std::string problem = problem_on_base(window, wall.surface); !problem.empty())
-                builder_.fail(object.line, fmt::format("'{}' {} '{}', its base. Correct it.", excerpt(name), problem,
-                                                       excerpt(wall.object->text("name"))));
+            const double most_off = std::min(most_off_base * size_of(wall.surface.corners), most_metres_off);
+            const FitOnBase fit = fit_on_base(window, wall.surface, most_off);
+            if (!fit.problem.empty())
+                builder_.fail(object.line, fmt::format("'{}' {} '{}', its base{}. Correct it.", excerpt(name),
+                                                       fit.problem, excerpt(wall.object->text("name")), fit.reason));
+            if (fit.off > 0) fitted_.push_back(object.line);
+            most_fitted_ = std::max(most_fitted_, fit.off);
             wall.windows.push_back(std::move(window));
         }
     }
@@ -339,7 +238,7 @@ class ZoneReader {
 ZoneScene read_energyplus_scene(std::string_view name, std::string_view text, const std::string& zone) {
     const auto objects =
         has_extension(name, ".idf") ? energyplus::read_idf(name, text) : energyplus::read_epjson(name, text);
-    return ZoneReader(name, objects).read(zone);
+    return ZoneReader(name, objects, zone).read();
 }
 
 }  // namespace ff::studies

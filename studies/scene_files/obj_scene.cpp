@@ -151,10 +151,11 @@ class ObjReader {
     }
 
     void read_comment(std::string comment) {
+        if (comment.starts_with(meshes::note_on_mesh))
+            return builder_.remark(comment.substr(meshes::note_on_mesh.size()));
         std::transform(comment.begin(), comment.end(), comment.begin(),
                        [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
         closed_ = closed_ || comment == closed_scene;
-        if (comment.starts_with(meshes::volume_cells_comment)) read_volume_cells(comment);
         for (const std::string_view by : obj_faces) {
             if (comment == fmt::format("faces {}", by)) faces_ = by;
         }
@@ -169,14 +170,6 @@ class ObjReader {
 
     [[nodiscard]] bool is_occluder(const Polygon& polygon) const {
         return names_[polygon.owners.group] == occluder_group || names_[polygon.owners.object] == occluder_group;
-    }
-
-    /// How many cells were left out when a mesh was converted.
-    void read_volume_cells(std::string_view comment) {
-        const auto count = parse_number<std::uint64_t>(trimmed(comment.substr(meshes::volume_cells_comment.size())));
-        if (count)
-            builder_.remark(fmt::format("{} volume cell{} left out (surfaces alone exchange radiation)", *count,
-                                        *count == 1 ? " is" : "s are"));
     }
 
     /// How many different names the polygons have that are no occluders.

@@ -68,7 +68,19 @@ class Vs3Reader {
             builder_.fail(surfaces_.back().line,
                           fmt::format("numbers are missing: it has {} of {}. Write the rest on the next line.",
                                       pending_->numbers.size(), pending_->wanted()));
-        for (const Vs3Surface& surface : surfaces_) add(surface);
+        std::vector<Vs3Surface*> sound;
+        for (Vs3Surface& surface : surfaces_) {
+            if (builder_.has_area(surface.corners, surface.line)) sound.push_back(&surface);
+        }
+        // What lies on a surface is cut out of it, and has its final corners before that.
+        for (Vs3Surface* const surface : sound) {
+            if (surface->base != 0) fit(*surface);
+        }
+        for (const Vs3Surface* const surface : sound) add(*surface);
+        if (moved_ > 0)
+            builder_.remark(fmt::format("{} put into the plane and the outline of {} (off by at most {:.2g})",
+                                        moved_ == 1 ? "a surface is" : fmt::format("{} surfaces are", moved_),
+                                        moved_ == 1 ? "its base" : "their bases", most_moved_));
         if (closed_ && !masks_.empty())
             builder_.remark(
                 "it has masks, whose backs receive what is counted for no face, so that it is taken as open");
@@ -89,6 +101,8 @@ class Vs3Reader {
     std::map<long, int> faces_;                       ///< by number of a surface
     std::vector<MaskedPart> masks_;
     std::vector<FaceMaterial> materials_;
+    std::size_t moved_ = 0;  ///< parts that did not fit their bases for rounding
+    double most_moved_ = 0;
     bool closed_ = false;
     bool ended_ = false;
 
@@ -224,11 +238,18 @@ class Vs3Reader {
         return surfaces_[found->second];
     }
 
-    void expect_on_base(const Vs3Surface& part) const {
+    void fit(Vs3Surface& part) {
         const Vs3Surface& base = earlier(part, part.base, "lies on");
-        if (const std::string problem = problem_on_base(part, base); !problem.empty())
-            builder_.fail(part.line, fmt::format("surface {} {} surface {}, its base. Correct it, or write 0.",
-                                                 part.number, problem, base.number));
+        const FitOnBase found = fit_on_base(part, base, most_off_base * size_of(base.corners));
+        if (!found.problem.empty())
+            builder_.fail(part.line, fmt::format("surface {} {} surface {}, its base{}. Correct it, or write 0.",
+                                                 part.number, found.problem, base.number, found.reason));
+        if (found.off > 0) ++moved_;
+        most_moved_ = std::max(most_moved_, found.off);
+    }
+
+    void expect_apart(const Vs3Surface& part) const {
+        const Vs3Surface& base = earlier(part, part.base, "lies on");
         for (const std::size_t other : parts_.at(base.number)) {
             if (surfaces_[other].number != part.number && part.kind != 'S' && overlap(base, part, surfaces_[other]))
                 builder_.fail(part.line, fmt::format("surface {} overlaps surface {}, both on surface {}. Divide them.",
@@ -246,9 +267,8 @@ class Vs3Reader {
     }
 
     void add(const Vs3Surface& surface) {
-        if (!builder_.has_area(surface.corners, surface.line)) return;
         if (surface.kind == 'O') return builder_.add_polygon(surface.corners, no_face, surface.line);
-        if (surface.base != 0) expect_on_base(surface);
+        if (surface.base != 0) expect_apart(surface);
         if (surface.kind != 'S') return add_part(surface);
         const std::vector<ConvexPolygon> pieces = left_of(surface);
         if (pieces.empty())

@@ -3,17 +3,22 @@
 #include "core/geometry/ear_clipping.hpp"
 #include "core/geometry/polygon_parts.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <string_view>
 
 namespace ff::studies {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double most_off = 1e-6;  // of a part from the plane and the rim of its base, relative to its size
+constexpr double unnoticed = 1e-6;  // of a part off the plane and the rim of its base, relative to what is around it
 constexpr std::size_t numbers_of_plane = 5;
 
 bool is_convex(const ConvexPolygon& corners, const Vector3d& normal) {
@@ -32,6 +37,40 @@ std::vector<ConvexPolygon> convex_pieces(const Vs3Surface& base) {
     for (const auto& [a, b, c] : clip_ears(base.corners))
         pieces.push_back({base.corners[a], base.corners[b], base.corners[c]});
     return pieces;
+}
+
+/// How far a part reaches beyond the pieces of its base: its corners, or a strip between them. 0: less than the gap
+double reach_beyond(const ConvexPolygon& part, const std::vector<ConvexPolygon>& pieces, const Vector3d& normal,
+                    double gap) {
+    std::vector<ConvexPolygon> outside{part};
+    for (const ConvexPolygon& piece : pieces) outside = without(outside, piece, normal, gap);
+    double reach = 0;
+    for (const ConvexPolygon& strip : outside)
+        reach = std::max(reach, 2 * polygon_area(strip) / length_around(strip));  // the width of a long one
+    if (outside.empty()) return reach;
+    for (const Vector3d& corner : part) {
+        double off = std::numeric_limits<double>::infinity();
+        for (const ConvexPolygon& piece : pieces) off = std::min(off, distance(corner, piece, normal));
+        reach = std::max(reach, off);
+    }
+    return reach;
+}
+
+/// A part without what lies beyond the edges of its base, by at most so much.
+ConvexPolygon cut_at_rim(ConvexPolygon part, const ConvexPolygon& base, const Vector3d& normal, double most_off) {
+    for (std::size_t k = 0; k < base.size(); ++k) {
+        const Vector3d inwards = normal.cross(next_corner(base, k) - base[k]).normalized();
+        double beyond = 0;
+        for (const Vector3d& corner : part) beyond = std::max(beyond, inwards.dot(base[k] - corner));
+        // A part lies far beyond the line of an edge that it is not beside, where its base is not convex.
+        if (beyond > 0 && beyond <= most_off) part = clipped(part, inwards, inwards.dot(base[k]));
+    }
+    return part;
+}
+
+FitOnBase misfit(std::string_view problem, double off, double most_off) {
+    return {std::string(problem), fmt::format(" (it is {:.3g} off; up to {:.2g} counts as rounding)", off, most_off),
+            off};
 }
 
 }  // namespace
@@ -68,21 +107,45 @@ ConvexPolygon Vs3Shape::corners() const {
     return result;
 }
 
-std::string problem_on_base(const Vs3Surface& part, const Vs3Surface& base) {
-    const Vector3d normal = base.normal();
-    const double gap = most_off * length_around(base.corners);
-    for (const Vector3d& corner : part.corners) {
-        if (std::abs(normal.dot(corner - base.corners[0])) > gap) return "does not lie in the plane of";
+double size_of(const ConvexPolygon& corners) {
+    double size = 0;
+    for (const Vector3d& a : corners) {
+        for (const Vector3d& b : corners) size = std::max(size, (b - a).norm());
     }
-    if (!is_convex(part.corners, part.normal())) return "is not convex, on";
+    return size;
+}
+
+FitOnBase fit_on_base(Vs3Surface& part, const Vs3Surface& base, double most_off) {
+    const Vector3d normal = base.normal();
+    const double gap = unnoticed * length_around(base.corners);
+    most_off = std::max(most_off, gap);
+    FitOnBase fit;
+    for (const Vector3d& corner : part.corners)
+        fit.off = std::max(fit.off, std::abs(normal.dot(corner - base.corners[0])));
+    if (fit.off > most_off) return misfit("does not lie in the plane of", fit.off, most_off);
+    if (!is_convex(part.corners, part.normal())) return {"is not convex, on", "", 0};
+    const bool faces_same_way = part.normal().dot(normal) > 0;
+    if (part.kind == 'S' && !faces_same_way) return {"faces the other way than", "", 0};
+    if (part.kind != 'S' && faces_same_way) return {"does not face", "", 0};
+
+    // Where nothing is noticeable, corners stay what they are: neighbours may share them.
+    if (fit.off <= gap) fit.off = 0;
+    if (fit.off > 0) {
+        for (Vector3d& corner : part.corners) corner -= normal.dot(corner - base.corners[0]) * normal;
+    }
     ConvexPolygon outline = part.corners;
     turn_around(outline, normal);
-    std::vector<ConvexPolygon> outside{outline};
-    for (const ConvexPolygon& piece : convex_pieces(base)) outside = without(outside, piece, normal, gap);
-    if (!outside.empty()) return "reaches beyond";
-    const bool faces_same_way = part.normal().dot(normal) > 0;
-    if (part.kind == 'S') return faces_same_way ? "" : "faces the other way than";
-    return faces_same_way ? "does not face" : "";
+    const std::vector<ConvexPolygon> pieces = convex_pieces(base);
+    const double reach = reach_beyond(outline, pieces, normal, gap);
+    if (reach == 0) return fit;
+    if (reach > most_off) return misfit("reaches beyond", reach, most_off);
+    outline = cut_at_rim(outline, base.corners, normal, most_off);
+    if (const double left = reach_beyond(outline, pieces, normal, gap); left > 0 || outline.empty())
+        return misfit("reaches beyond", reach, most_off);
+    part.corners = outline;
+    if (!faces_same_way) std::reverse(part.corners.begin(), part.corners.end());
+    fit.off = std::max(fit.off, reach);
+    return fit;
 }
 
 bool overlap(const Vs3Surface& base, const Vs3Surface& a, const Vs3Surface& b) {
@@ -90,7 +153,7 @@ bool overlap(const Vs3Surface& base, const Vs3Surface& a, const Vs3Surface& b) {
     ConvexPolygon second = b.corners;
     turn_around(first, base.normal());
     turn_around(second, base.normal());
-    return !is_sliver(common_part(first, second, base.normal()), most_off * length_around(first));
+    return !is_sliver(common_part(first, second, base.normal()), unnoticed * length_around(first));
 }
 
 std::vector<ConvexPolygon> left_of_base(const Vs3Surface& base, const std::vector<const Vs3Surface*>& parts) {

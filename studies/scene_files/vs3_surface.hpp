@@ -43,10 +43,23 @@ struct Vs3Shape {
     [[nodiscard]] ConvexPolygon corners() const;
 };
 
-/// What is wrong with a part that lies on a base, as a verb and what goes before the base's name; empty: nothing. A
-/// part is convex, lies within its base, and faces the same way where it radiates, the other way where it faces the
-/// base.
-std::string problem_on_base(const Vs3Surface& part, const Vs3Surface& base);
+/// How a part fits the base that it lies on.
+struct FitOnBase {
+    std::string problem;  ///< as a verb and what goes before the base's name; empty: none
+    std::string reason;   ///< in brackets, with a blank before it; empty where there is nothing to add
+    double off = 0;       ///< how far it had to be moved, or was cut off; 0: it is as it was
+};
+
+/// Coordinates with two or three digits behind the point put parts off their bases by some 1e-3 of a wall's size.
+inline constexpr double most_off_base = 2e-3;
+
+/// Moves a part into the plane of its base, and cuts off what reaches beyond, as far as that counts as rounding. A part
+/// is convex, lies within its base, and faces the same way where it radiates, the other way where it faces the base.
+/// @param most_off  that counts as rounding, in units of length
+FitOnBase fit_on_base(Vs3Surface& part, const Vs3Surface& base, double most_off);
+
+/// The largest distance between corners.
+double size_of(const ConvexPolygon& corners);
 
 /// Whether two parts of a base cover a part of each other.
 bool overlap(const Vs3Surface& base, const Vs3Surface& a, const Vs3Surface& b);

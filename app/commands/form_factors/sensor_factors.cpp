@@ -97,6 +97,20 @@ std::string half_of(const PointFactor& factor) {
     return reports::to_error(factor.value, std::max(factor.high - factor.value, factor.value - factor.low));
 }
 
+/// A point in a corner, or one that faces away from everything, would leave no line at all.
+void say_what_sees_nothing(const std::vector<std::vector<PointFactor>>& factors) {
+    std::size_t blind = 0;
+    std::size_t first = 0;
+    for (std::size_t point = factors.size(); point-- > 0;) {
+        if (std::any_of(factors[point].begin(), factors[point].end(), is_seen)) continue;
+        ++blind;
+        first = point;
+    }
+    if (blind == 1) say("note: no face is seen from point {}\n", first + 1);
+    if (blind > 1)
+        say("note: no face is seen from {} of {} points (the first is point {})\n", blind, factors.size(), first + 1);
+}
+
 void print_factors(const Scene& scene, const std::vector<std::vector<PointFactor>>& factors) {
     reports::Table table{"sensors", "", "", {{"point", true, {}}, {"to face", false, {}}, {"factor", true, {}}},
                          {},        {}};
@@ -148,7 +162,10 @@ ExitCode sensor_factors(const FormFactorsCommand& command) {
     studies::for_each_index(sensors.size(), kept.request.threads, [&](std::uint64_t point) {
         factors[point] = finder.from(sensors[point].place, sensors[point].normal);
     });
-    if (!command.quiet) print_factors(kept.scene, factors);
+    if (!command.quiet) {
+        say_what_sees_nothing(factors);
+        print_factors(kept.scene, factors);
+    }
     if (out) out->write("points.csv", [&](std::ostream& file) { write_factors(file, kept.scene, sensors, factors); });
     return doubts.faults.empty() ? ExitCode::passed : ExitCode::inconclusive;
 }

@@ -17,9 +17,7 @@ namespace {
 /// The values of an object, its class first.
 using Values = std::vector<Field>;
 
-[[noreturn]] void fail_idf(std::string_view file, std::uint64_t line, std::string_view problem) {
-    throw UserError(fmt::format("{}:{}: {}", file, line, problem));
-}
+constexpr std::string_view macro_mark = "##";
 
 /// Calls visit(values) for each object of a file.
 template <class Visit>
@@ -28,6 +26,11 @@ void for_each_object(std::string_view file, std::string_view text, const Visit& 
     std::string value;
     for_each_line(text, [&](std::uint64_t number, std::string_view line) {
         line = line.substr(0, line.find('!'));
+        if (trimmed(line).starts_with(macro_mark))
+            fail_at(file, number,
+                    fmt::format("'{}' is a directive of EP-Macro (macros are not read). Expand them by EP-Macro, and "
+                                "take the IDF file that it writes.",
+                                excerpt(split_words(line)[0])));
         for (std::size_t end = line.find_first_of(",;"); end != std::string_view::npos;
              end = line.find_first_of(",;")) {
             value += line.substr(0, end);
@@ -40,9 +43,9 @@ void for_each_object(std::string_view file, std::string_view text, const Visit& 
     });
     if (!trimmed(value).empty()) values.push_back({std::string(trimmed(value)), values.empty() ? 1 : values[0].line});
     if (!values.empty())
-        fail_idf(file, values[0].line,
-                 fmt::format("no semicolon ends the object '{}' (the file was cut off). Write it again.",
-                             excerpt(values[0].text)));
+        fail_at(file, values[0].line,
+                fmt::format("no semicolon ends the object '{}' (the file was cut off). Write it again.",
+                            excerpt(values[0].text)));
 }
 
 /// Major and minor number, as 906 for 9.6. @return nothing where it is no version
@@ -67,20 +70,21 @@ class IdfReader {
 
   private:
     std::string_view file_;
-    unsigned version_ = 9999;
+    static constexpr unsigned newest = 9999;
+    unsigned version_ = newest;
     std::vector<Object> objects_;
 
     void read_version(const Field& field) {
         const auto version = version_number(field.text);
         if (!version)
-            fail_idf(file_, field.line,
-                     fmt::format("version '{}' (numbers are wanted). Write Version,9.6;", excerpt(field.text)));
+            fail_at(file_, field.line,
+                    fmt::format("version '{}' (numbers are wanted). Write Version,9.6;", excerpt(field.text)));
         constexpr unsigned oldest = 300;
         if (*version < oldest)
-            fail_idf(file_, field.line,
-                     fmt::format("version {} (classes had other names before 3.0). Convert it by the transition "
-                                 "programs of EnergyPlus.",
-                                 field.text));
+            fail_at(file_, field.line,
+                    fmt::format("version {} (classes had other names before 3.0). Convert it by the transition "
+                                "programs of EnergyPlus.",
+                                field.text));
         version_ = *version;
     }
 
@@ -109,10 +113,11 @@ class IdfReader {
         while (values.size() % 3 == 0 && !values.empty() && std::all_of(values.end() - 3, values.end(), is_blank))
             values.resize(values.size() - 3);
         if (values.size() % 3 != 0)
-            fail_idf(file_, object.line,
-                     fmt::format("'{}' has {} coordinates (a vertex has three). Correct them, or the version: fields "
-                                 "moved in 9.0 and 9.6.",
-                                 excerpt(object.text("name")), values.size()));
+            fail_at(file_, object.line,
+                    fmt::format("'{}' has {} coordinates ({}). Correct them, or the version: fields moved in 9.0 and "
+                                "9.6.",
+                                excerpt(object.text("name")), values.size(),
+                                version_ == newest ? without_version : "a vertex has three"));
         for (std::size_t k = 0; k < values.size(); k += 3)
             object.vertices.push_back({values[k], values[k + 1], values[k + 2]});
     }

@@ -1,5 +1,11 @@
 #include "studies/scene_files/energyplus/input_file.hpp"
 
+#include "core/support/error.hpp"
+#include "core/support/excerpt.hpp"
+#include "core/support/words.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 
@@ -14,6 +20,23 @@ const std::string& Object::text(std::string_view field) const {
 std::uint64_t Object::line_of(std::string_view field) const {
     const auto found = fields.find(field);
     return found == fields.end() ? line : found->second.line;
+}
+
+std::string Object::small_text(std::string_view field) const {
+    return in_small_letters(text(field));
+}
+
+void fail_at(std::string_view file, std::uint64_t line, std::string_view problem) {
+    throw UserError(fmt::format("{}:{}: {}", file, line, problem));
+}
+
+double number_of_field(std::string_view file, const Field& field, std::string_view what) {
+    const auto value = finite_number(field.text);
+    if (!value)
+        fail_at(file, field.line,
+                fmt::format("{} is {}, not a finite number. Correct it.", what,
+                            field.text.empty() ? "blank" : fmt::format("'{}'", excerpt(field.text))));
+    return *value;
 }
 
 std::string in_small_letters(std::string_view text) {

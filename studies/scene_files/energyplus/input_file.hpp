@@ -28,11 +28,22 @@ struct Object {
 
     /// The text of a field; empty where there is none.
     [[nodiscard]] const std::string& text(std::string_view field) const;
+    /// The same in small letters, in which names are compared.
+    [[nodiscard]] std::string small_text(std::string_view field) const;
     /// The line of a field; that of the object where there is none.
     [[nodiscard]] std::uint64_t line_of(std::string_view field) const;
 };
 
-/// Names are compared so.
+/// @throws UserError "file:line: problem"
+[[noreturn]] void fail_at(std::string_view file, std::uint64_t line, std::string_view problem);
+
+/// @param what  names the field in messages  @throws UserError where it is not a finite number
+double number_of_field(std::string_view file, const Field& field, std::string_view what);
+
+/// What is said where an IDF file has no version.
+inline constexpr std::string_view without_version =
+    "no Version object: fields are taken as those of version 9.6 and later";
+
 std::string in_small_letters(std::string_view text);
 
 /// The class of that name, in letters of either case; null for one that does not matter here.

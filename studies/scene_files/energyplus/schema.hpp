@@ -23,6 +23,7 @@ inline constexpr std::string_view fields_of_walls =
 inline constexpr std::array classes{
     Class{"version", "version_identifier"},
     Class{"globalgeometryrules", "starting_vertex_position vertex_entry_direction coordinate_system"},
+    Class{"geometrytransform", "plane_of_transform current_aspect_ratio new_aspect_ratio"},
     Class{"zone", "name direction_of_relative_north x_origin y_origin z_origin"},
     Class{"space", "name zone_name"},
     Class{"construction:airboundary", "name"},

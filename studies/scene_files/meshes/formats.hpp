@@ -10,7 +10,7 @@ namespace ff::studies::meshes {
 // @throws UserError "file: place: problem (why). Suggestion."
 
 /// VTK's older format: polygons and unstructured grids, in text or binary. Groups are the values of the first array of
-/// whole numbers that cells have, as in VTK's XML.
+/// whole numbers or texts that differs between polygons.
 bool is_vtk_legacy(std::string_view bytes);
 SurfaceMesh read_vtk_legacy(std::string_view file, std::string_view bytes);
 
@@ -18,7 +18,8 @@ SurfaceMesh read_vtk_legacy(std::string_view file, std::string_view bytes);
 bool is_vtk_xml(std::string_view bytes);
 SurfaceMesh read_vtk_xml(std::string_view file, std::string_view bytes);
 
-/// gmsh's formats 2, 4.0 and 4.1, in text or binary. Groups are physical surfaces, by name, or else surfaces.
+/// gmsh's formats 2, 4.0 and 4.1, in text or binary. Groups are physical surfaces, by name, or else surfaces:
+/// see GmshSurfaces.
 bool is_gmsh(std::string_view bytes);
 SurfaceMesh read_gmsh(std::string_view file, std::string_view bytes);
 

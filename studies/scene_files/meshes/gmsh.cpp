@@ -2,16 +2,17 @@
 #include "core/support/words.hpp"
 #include "studies/scene_files/meshes/formats.hpp"
 #include "studies/scene_files/meshes/gmsh_elements.hpp"
+#include "studies/scene_files/meshes/gmsh_surfaces.hpp"
 #include "studies/scene_files/meshes/mesh_input.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 // The formats: https://gmsh.info/doc/texinfo/gmsh.html#MSH-file-format
@@ -35,6 +36,7 @@ class GmshReader {
             read_section(name);
             in_.set_section("");
         }
+        surfaces_.write_to(mesh_);
         return std::move(mesh_);
     }
 
@@ -43,9 +45,9 @@ class GmshReader {
     SurfaceMesh mesh_;
     Version version_ = Version::two;
     NumberType size_type_{NumberType::Kind::natural, 8};
-    std::unordered_map<std::int64_t, std::int64_t> points_;               ///< by tag of the node
-    std::unordered_map<std::int64_t, std::string> names_;                 ///< of physical surfaces, by tag
-    std::unordered_map<std::int64_t, std::int64_t> physical_of_surface_;  ///< by tag; below 0: turned round
+    GmshSurfaces surfaces_;
+    std::unordered_map<std::int64_t, std::int64_t> points_;                            ///< by tag of the node
+    std::unordered_map<std::int64_t, std::vector<std::int64_t>> physical_of_surface_;  ///< by tag
 
     void read_section(const std::string& name) {
         if (name == format_section) {
@@ -109,7 +111,7 @@ class GmshReader {
             if (!tag || begin == end)
                 in_.fail(
                     fmt::format("'{}' is no dimension, tag and name in quotes. Write 2 1 \"wall\".", excerpt(line)));
-            if (words[0] == "2") names_.emplace(*tag, as_word(line.substr(begin + 1, end - begin - 1)));
+            if (words[0] == "2") surfaces_.set_name(*tag, as_word(line.substr(begin + 1, end - begin - 1)));
         }
     }
 
@@ -133,8 +135,8 @@ class GmshReader {
         const std::uint64_t places = dimension == 0 && version_ == Version::four_1 ? 3 : 6;
         in_.skip(float64_type, places, 1);
         const std::uint64_t physicals = size();
-        const auto tags = in_.wholes(int32_type, physicals, 1);
-        if (dimension == 2 && physicals > 0) physical_of_surface_.emplace(tag, tags.front());
+        auto tags = in_.wholes(int32_type, physicals, 1);
+        if (dimension == 2) physical_of_surface_.emplace(tag, std::move(tags));
         if (dimension == 0) return;
         const std::uint64_t bounding = size();
         in_.skip(int32_type, bounding, 1);
@@ -196,11 +198,11 @@ class GmshReader {
             const GmshElement element = element_of(integer());
             const NumberType tag_type = version_ == Version::four_1 ? size_type_ : int32_type;
             const std::uint64_t count = size();
-            const auto physical = physical_of_surface_.find(tag);
-            const std::int64_t group = physical == physical_of_surface_.end() ? 0 : physical->second;
+            const auto found = physical_of_surface_.find(tag);
+            const auto physical = found == physical_of_surface_.end() ? std::vector<std::int64_t>() : found->second;
             for (std::uint64_t k = 0; k < count; ++k) {
                 const std::int64_t number = in_.whole(tag_type);
-                add(element, number, group, tag, in_.wholes(tag_type, element.nodes, 1));
+                add(element, number, physical, tag, in_.wholes(tag_type, element.nodes, 1));
             }
         }
     }
@@ -237,8 +239,8 @@ class GmshReader {
     /// Its tags are its physical surface, or 0, its surface, and others.
     void read_element(std::int64_t number, GmshElement element, std::uint64_t tag_count) {
         const auto tags = in_.wholes(int32_type, tag_count, 1);
-        add(element, number, tags.empty() ? 0 : tags[0], tags.size() < 2 ? 0 : tags[1],
-            in_.wholes(int32_type, element.nodes, 1));
+        const auto physical = tags.empty() ? tags : std::vector{tags[0]};
+        add(element, number, physical, tags.size() < 2 ? 0 : tags[1], in_.wholes(int32_type, element.nodes, 1));
     }
 
     [[nodiscard]] GmshElement element_of(std::int64_t type) const {
@@ -247,15 +249,7 @@ class GmshReader {
         return *element;
     }
 
-    [[nodiscard]] std::string group_of(std::int64_t physical, std::int64_t surface) const {
-        if (physical == 0) return surface == 0 ? std::string(unnamed_group) : fmt::format("surface_{}", surface);
-        // Tags of 64 bits do not occur, but a broken file may hold the one without a counterpart.
-        const std::int64_t tag = physical < 0 ? -std::max(physical, -INT64_MAX) : physical;
-        const auto name = names_.find(tag);
-        return name == names_.end() ? fmt::format("physical_{}", tag) : name->second;
-    }
-
-    void add(GmshElement element, std::int64_t number, std::int64_t physical, std::int64_t surface,
+    void add(GmshElement element, std::int64_t number, const std::vector<std::int64_t>& physical, std::int64_t surface,
              std::vector<std::int64_t> nodes) {
         if (element.dimension == 3) mesh_.leave_out_volume_cell();
         if (element.dimension != 2) return;
@@ -266,8 +260,7 @@ class GmshReader {
                 in_.fail(fmt::format("element {} has node {}, which is not in $Nodes. Correct it.", number, node));
             node = point->second;
         }
-        if (physical < 0) std::reverse(nodes.begin(), nodes.end());
-        mesh_.add_polygon(group_of(physical, surface), nodes, fmt::format("element {}", number));
+        surfaces_.add(number, physical, surface, nodes);
     }
 };
 

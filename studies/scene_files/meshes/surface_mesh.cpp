@@ -39,6 +39,10 @@ void SurfaceMesh::add_polygon(std::string_view group, std::span<const std::int64
     text_ += polygon + '\n';
 }
 
+void SurfaceMesh::remark(std::string_view text) {
+    notes_ += fmt::format("# {}{}\n", note_on_mesh, text);
+}
+
 std::string SurfaceMesh::as_obj() const {
     if (volume_cells_ == 0 && text_.empty())
         throw UserError(
@@ -48,8 +52,9 @@ std::string SurfaceMesh::as_obj() const {
             fmt::format("{}: volume cells alone, {} of them (only surfaces exchange radiation). Extract the surface, "
                         "as ParaView's filter Extract Surface does, or save the polygons of the boundary too.",
                         file_, volume_cells_));
-    if (volume_cells_ == 0) return text_;
-    return fmt::format("# {} {}\n{}", volume_cells_comment, volume_cells_, text_);
+    if (volume_cells_ == 0) return notes_ + text_;
+    return fmt::format("# {}{} volume cell{} left out (surfaces alone exchange radiation)\n{}{}", note_on_mesh,
+                       volume_cells_, volume_cells_ == 1 ? " is" : "s are", notes_, text_);
 }
 
 }  // namespace ff::studies::meshes

@@ -12,8 +12,8 @@
 
 namespace ff::studies::meshes {
 
-/// A comment of OBJ files: so many volume cells of a mesh were left out.
-inline constexpr std::string_view volume_cells_comment = "volume_cells";
+/// A comment of OBJ files that begins so: what is to be said of a mesh that was converted.
+inline constexpr std::string_view note_on_mesh = "note on the mesh: ";
 
 /// The faces of a mesh without groups.
 inline constexpr std::string_view unnamed_group = "mesh";
@@ -36,6 +36,8 @@ class SurfaceMesh {
     void add_polygon(std::string_view group, std::span<const std::int64_t> corners, std::string_view cell);
 
     void leave_out_volume_cell() { ++volume_cells_; }
+    /// Adds to what is said of the mesh.
+    void remark(std::string_view text);
 
     /// The text of an OBJ file; what no polygon uses is left out. @throws UserError where there is no polygon
     [[nodiscard]] std::string as_obj() const;
@@ -44,6 +46,7 @@ class SurfaceMesh {
     std::string file_;
     std::vector<Eigen::Vector3d> points_;
     std::unordered_map<std::size_t, std::size_t> vertices_;  ///< number in the text, from 1, by that of the point
+    std::string notes_;                                      ///< as comments
     std::string text_;
     std::string group_;
     std::uint64_t volume_cells_ = 0;

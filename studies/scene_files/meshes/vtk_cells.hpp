@@ -1,11 +1,11 @@
 #pragma once
 
-#include "studies/scene_files/meshes/mesh_input.hpp"
 #include "studies/scene_files/meshes/surface_mesh.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,22 +29,40 @@ struct VtkCells {
                 std::int64_t type);
 };
 
-/// An array that tells groups of cells apart.
-struct VtkGroups {
-    std::string name;                 ///< of the array
-    std::vector<std::string> labels;  ///< of the group of each cell
+using CellCorners = std::span<const std::int64_t>;
+
+/// Whether cells of that type are polygons, or strips of them.
+bool is_polygon_type(std::int64_t type);
+
+/// Calls visit(number, points) for each cell. @throws UserError where ends are not in order
+void for_each_cell(std::string_view file, const VtkCells& cells,
+                   const std::function<void(std::size_t, CellCorners)>& visit);
+
+/// Adds the polygons of cells to a mesh; those of higher order by their corners alone.
+class CellPolygons {
+  public:
+    /// @param first_point  of the piece that cells are of, in the mesh
+    CellPolygons(SurfaceMesh& mesh, std::string_view file, std::size_t first_point, std::size_t points)
+        : mesh_(mesh),
+          file_(file),
+          first_point_(static_cast<std::int64_t>(first_point)),
+          points_(static_cast<std::int64_t>(points)) {}
+
+    /// Adds nothing of points and lines, and counts volume cells. @throws UserError
+    void add(std::size_t number, std::int64_t type, CellCorners points, const std::string& group);
+
+  private:
+    SurfaceMesh& mesh_;
+    std::string_view file_;
+    std::int64_t first_point_;
+    std::int64_t points_;
+    std::string cell_;
+    std::string group_;
+
+    [[noreturn]] void fail(std::string_view problem) const;
+    [[nodiscard]] CellCorners first(std::size_t count, CellCorners points) const;
+    void add(CellCorners corners);
+    void add_strip(CellCorners points);
 };
-
-/// Groups by the values of an array, called name_value.
-VtkGroups groups_by_number(std::string name, const std::vector<std::int64_t>& values);
-
-/// Whether an array of cells may tell groups apart: whole numbers, one for each cell, and not for use by VTK itself
-/// (vtkGhostType).
-bool may_be_groups(std::string_view name, std::optional<NumberType> type, std::uint64_t components);
-
-/// Adds the polygons of a piece, whose points are the last that were added to the mesh.
-/// @param first_point  of the piece, in the mesh  @throws UserError
-void add_cells(SurfaceMesh& mesh, std::string_view file, std::size_t first_point, const VtkCells& cells,
-               const std::optional<VtkGroups>& groups);
 
 }  // namespace ff::studies::meshes

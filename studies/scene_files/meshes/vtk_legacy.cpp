@@ -2,6 +2,7 @@
 #include "studies/scene_files/meshes/formats.hpp"
 #include "studies/scene_files/meshes/mesh_input.hpp"
 #include "studies/scene_files/meshes/vtk_cells.hpp"
+#include "studies/scene_files/meshes/vtk_faces.hpp"
 
 #include <fmt/format.h>
 
@@ -109,7 +110,7 @@ class LegacyReader {
     std::optional<std::vector<std::int64_t>> types_;
     Owner owner_ = Owner::none;
     std::uint64_t owned_ = 0;  ///< cells or points that arrays are of
-    std::optional<VtkGroups> groups_;
+    VtkArrays arrays_;         ///< of cells
 
     void read_section(const std::string& keyword) {
         for (std::size_t i = 0; i < sections.size(); ++i) {
@@ -163,7 +164,7 @@ class LegacyReader {
         const std::uint64_t size = in_.count();
         in_.line();
         cells = {};
-        if (in_.next_word() == "OFFSETS") return read_offsets(cells, count, size);
+        if (capitals(in_.next_word()) == "OFFSETS") return read_offsets(cells, count, size);
         const std::vector<std::int64_t> values = in_.wholes(int32_type, size, 1);
         for (std::size_t at = 0; at < values.size();) {
             const std::int64_t points = values[at++];
@@ -186,7 +187,7 @@ class LegacyReader {
     }
 
     std::vector<std::int64_t> read_named(std::string_view name, std::uint64_t count) {
-        if (in_.next_word() != name)
+        if (capitals(in_.next_word()) != name)
             in_.fail(fmt::format("'{}' stands where {} is expected. Correct it.", excerpt(in_.next_word()), name));
         static_cast<void>(in_.word());
         const NumberType whole = type(in_.word());
@@ -206,7 +207,7 @@ class LegacyReader {
         const std::uint64_t arrays = in_.count();
         for (std::uint64_t i = 0; i < arrays; ++i) {
             std::string name(in_.word());
-            while (name == "METADATA") {
+            while (capitals(name) == "METADATA") {
                 skip_metadata();
                 name = in_.word();
             }
@@ -252,7 +253,7 @@ class LegacyReader {
             components = in_.count();
             in_.line();
         }
-        if (in_.next_word() == "LOOKUP_TABLE") in_.line();
+        if (capitals(in_.next_word()) == "LOOKUP_TABLE") in_.line();
         read_array(name, number_type, owned_, components);
     }
 
@@ -275,21 +276,27 @@ class LegacyReader {
         return std::string(in_.take_bytes(length));
     }
 
-    /// Takes an array of cells for groups where it is the first that may be.
-    void read_array(const std::string& name, std::string_view type_name, std::uint64_t tuples,
+    void read_array(const std::string& word, std::string_view type_name, std::uint64_t tuples,
                     std::uint64_t components) {
+        const std::string name = decoded_name(word);
+        const bool is_of_cells = owner_ == Owner::cells;
         if (capitals(type_name) == "STRING") {
             in_.expect_room(tuples, components, 1);
-            std::vector<std::string> labels;
-            for (std::uint64_t i = 0; i < tuples * components; ++i) labels.push_back(as_word(text()));
-            if (owner_ == Owner::cells && !groups_ && components == 1)
-                groups_ = VtkGroups{decoded_name(name), std::move(labels)};
+            std::vector<std::string> texts;
+            for (std::uint64_t i = 0; i < tuples * components; ++i) texts.push_back(as_word(text()));
+            if (is_of_cells && components == 1) arrays_.usable.push_back({name, {}, std::move(texts)});
             return;
         }
         const NumberType number = type(type_name);
-        if (owner_ != Owner::cells || groups_ || !may_be_groups(name, number, components))
-            return in_.skip(number, tuples, components);
-        groups_ = groups_by_number(decoded_name(name), in_.wholes(number, tuples, 1));
+        const VtkUse use = use_of_array(name, number, components);
+        if (is_of_cells && use == VtkUse::faces) {
+            arrays_.usable.push_back({name, in_.wholes(number, tuples, 1), {}});
+        } else if (is_of_cells && use == VtkUse::hidden) {
+            arrays_.hidden = in_.wholes(number, tuples, 1);
+        } else {
+            if (is_of_cells && use == VtkUse::none) arrays_.others.push_back(name);
+            in_.skip(number, tuples, components);
+        }
     }
 
     SurfaceMesh finish() {
@@ -301,10 +308,13 @@ class LegacyReader {
                                  cells.types.size()));
         for (std::size_t i = 0; i < sections.size(); ++i)
             cells.append(of_sections_[i].points, of_sections_[i].ends, sections[i].second);
-        if (groups_ && groups_->labels.size() != cells.ends.size())
-            in_.fail(fmt::format("array {} has {} values for {} cells. Correct it.", excerpt(groups_->name),
-                                 groups_->labels.size(), cells.ends.size()));
-        add_cells(mesh_, file_, 0, cells, groups_);
+        for (const VtkArray& array : arrays_.usable) {
+            if (array.size() != cells.ends.size())
+                in_.fail(fmt::format("array {} has {} values for {} cells. Correct it.", excerpt(array.name),
+                                     array.size(), cells.ends.size()));
+        }
+        const std::size_t points = mesh_.point_count();
+        add_pieces(mesh_, file_, {{0, points, std::move(cells), std::move(arrays_)}});
         return std::move(mesh_);
     }
 };

@@ -5,6 +5,7 @@
 #include "studies/scene_files/meshes/mesh_input.hpp"
 #include "studies/scene_files/meshes/vtk_cells.hpp"
 #include "studies/scene_files/meshes/vtk_data_array.hpp"
+#include "studies/scene_files/meshes/vtk_faces.hpp"
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -62,6 +63,7 @@ class XmlReader {
             else
                 read_grid(piece);
         }
+        add_pieces(mesh_, file_, pieces_);
         return std::move(mesh_);
     }
 
@@ -72,6 +74,7 @@ class XmlReader {
     EncodedBytes::Form form_ = EncodedBytes::Form::raw;
     Packing packing_;
     SurfaceMesh mesh_;
+    std::vector<VtkPiece> pieces_;
 
     [[noreturn]] void fail(std::string_view problem) const { throw UserError(fmt::format("{}: {}", file_, problem)); }
 
@@ -172,11 +175,11 @@ class XmlReader {
         return with_numbers(array, [&](MeshInput& input) { return input.wholes(type, size, 1); });
     }
 
-    /// @return the number of points before them
-    std::size_t read_points(pugi::xml_node piece) {
+    /// @return the number of points before them, and theirs
+    std::pair<std::size_t, std::size_t> read_points(pugi::xml_node piece) {
         const std::size_t before = mesh_.point_count();
         const std::uint64_t points = count(piece, "NumberOfPoints");
-        if (points == 0) return before;
+        if (points == 0) return {before, 0};
         const pugi::xml_node array = piece.child("Points").child("DataArray");
         if (!array) fail("a piece without its array of points. Write it again.");
         if (array.attribute("NumberOfComponents").as_int(3) != 3)
@@ -185,7 +188,7 @@ class XmlReader {
         const NumberType type = type_of(array);
         const auto values = with_numbers(array, [&](MeshInput& input) { return input.reals(type, points, 3); });
         for (std::size_t i = 0; i < values.size(); i += 3) mesh_.add_point({values[i], values[i + 1], values[i + 2]});
-        return before;
+        return {before, points};
     }
 
     /// Ends of cells, and the points of all.
@@ -198,24 +201,28 @@ class XmlReader {
         return {std::move(ends), wholes(array_of(cells, "connectivity"), static_cast<std::uint64_t>(size))};
     }
 
-    [[nodiscard]] std::optional<VtkGroups> read_groups(pugi::xml_node piece, std::uint64_t cells) const {
-        for (const pugi::xml_node array : piece.child("CellData").children("DataArray")) {
+    [[nodiscard]] VtkArrays read_arrays(pugi::xml_node piece, std::uint64_t cells) const {
+        VtkArrays arrays;
+        // Texts stand in an Array instead of a DataArray, and are not read.
+        for (const pugi::xml_node array : piece.child("CellData").children()) {
             const std::string name = array.attribute("Name").value();
             const std::uint64_t components = array.attribute("NumberOfComponents").as_uint(1);
-            if (may_be_groups(name, xml_type(array.attribute("type").value()), components))
-                return groups_by_number(name, wholes(array, cells));
+            const VtkUse use = use_of_array(name, xml_type(array.attribute("type").value()), components);
+            if (use == VtkUse::faces) arrays.usable.push_back({name, wholes(array, cells), {}});
+            if (use == VtkUse::hidden) arrays.hidden = wholes(array, cells);
+            if (use == VtkUse::none) arrays.others.push_back(name);
         }
-        return std::nullopt;
+        return arrays;
     }
 
     void read_grid(pugi::xml_node piece) {
-        const std::size_t first_point = read_points(piece);
+        const auto [first_point, points] = read_points(piece);
         const std::uint64_t number = count(piece, "NumberOfCells");
         if (number == 0) return;
         VtkCells cells;
         std::tie(cells.ends, cells.points) = read_cells(piece.child("Cells"), number);
         cells.types = wholes(array_of(piece.child("Cells"), "types"), number);
-        add_cells(mesh_, file_, first_point, cells, read_groups(piece, number));
+        pieces_.push_back({first_point, points, std::move(cells), read_arrays(piece, number)});
     }
 
     void read_poly_data(pugi::xml_node piece) {
@@ -229,14 +236,15 @@ class XmlReader {
                                                    {"Lines", "NumberOfLines", vtk_poly_line},
                                                    {"Polys", "NumberOfPolys", vtk_polygon},
                                                    {"Strips", "NumberOfStrips", vtk_triangle_strip}}};
-        const std::size_t first_point = read_points(piece);
+        const auto [first_point, points] = read_points(piece);
         VtkCells cells;
         for (const Section& section : sections) {
-            const auto [ends, points] = read_cells(piece.child(section.name), count(piece, section.number));
-            cells.append(points, ends, section.type);
+            const auto [ends, members] = read_cells(piece.child(section.name), count(piece, section.number));
+            cells.append(members, ends, section.type);
         }
         if (cells.ends.empty()) return;
-        add_cells(mesh_, file_, first_point, cells, read_groups(piece, cells.ends.size()));
+        const std::uint64_t number = cells.ends.size();
+        pieces_.push_back({first_point, points, std::move(cells), read_arrays(piece, number)});
     }
 };
 

@@ -91,3 +91,11 @@ ffstudy form_factors kube
 expect_refused 2 "kube"
 ffstudy form_factors missing.obj
 expect_refused 3 "missing.obj"
+
+# A point that sees nothing leaves no line in the table, and is named instead.
+ffstudy form_factors box:4x3x2.5 --from point:2,1.5,0,0,0,-1
+expect_status 0
+expect_stderr "note: no face is seen from point 1"
+printf 'x,y,z,nx,ny,nz\n2,1.5,1,0,0,1\n2,1.5,0,0,0,-1\n2,1,0,0,0,-1\n' >sensors.csv
+ffstudy form_factors box:4x3x2.5 --from sensors.csv
+expect_stderr "note: no face is seen from 2 of 3 points (the first is point 2)"

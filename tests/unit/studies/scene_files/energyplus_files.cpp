@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -183,6 +184,55 @@ TEST(EnergyPlusFiles, HaveWindowsInWallsThatAreNotConvex) {
     EXPECT_THAT(refusal(zone + window("L")), HasSubstr("'Pane' reaches beyond 'L', its base"));
 }
 
+// On the south wall, whose diagonal is 4.7: up to 0.0094 is put right.
+TEST(EnergyPlusFiles, HaveWindowsThatRoundingPutsOffTheirWalls) {
+    const auto with_pane = [](const Corners& corners) { return room() + window("south wall", "1", corners); };
+    const Scene moved = read_zone(with_pane({{3, 0.004, 1}, {3, 0.004, 2}, {1, 0.004, 2}, {1, 0.004, 1}}));
+    EXPECT_THAT(moved.remarks, ElementsAre(HasSubstr("a window or door is 0.004 off its wall, and is put into its "
+                                                     "plane and outline (line 40)")));
+    EXPECT_NEAR(face_area(moved, 2), 8, 1e-12);
+    EXPECT_NEAR(face_area(moved, 3), 2, 1e-12);
+    EXPECT_THAT(doubts_about(moved), testing::SizeIs(1));
+    const Corners low_door{{2, 0, -0.003}, {2, 0, 2}, {1, 0, 2}, {1, 0, -0.003}};
+    const Scene cut = read_zone(with_pane(low_door));
+    EXPECT_THAT(cut.remarks, ElementsAre(HasSubstr("a window or door is 0.003 off its wall")));
+    EXPECT_NEAR(face_area(cut, 3), 2, 1e-12);
+    const Scene several =
+        read_zone(with_pane(low_door) +
+                  replaced(window("north", "1", {{3, 2.999, 1}, {1, 2.999, 1}, {1, 2.999, 2}}), "Pane", "Other"));
+    EXPECT_THAT(several.remarks, ElementsAre(HasSubstr("2 windows and doors are up to 0.003 off their walls, and are "
+                                                       "put into their planes and outlines (the first in line 40)")));
+    EXPECT_THAT(refusal(with_pane({{3, 0.02, 1}, {3, 0.02, 2}, {1, 0.02, 2}, {1, 0.02, 1}})),
+                HasSubstr("'Pane' does not lie in the plane of 'south wall', its base (it is 0.02 off; up to 0.0094 "
+                          "counts as rounding)"));
+    EXPECT_THAT(refusal(with_pane({{2, 0, -0.02}, {2, 0, 2}, {1, 0, 2}, {1, 0, -0.02}})),
+                HasSubstr("'Pane' reaches beyond 'south wall', its base (it is 0.02 off"));
+}
+
+TEST(EnergyPlusFiles, HaveWindowsWithThreeDecimalsInSlopedRoofs) {
+    const std::string zone =
+        old_rules + "Zone,Z;" + wall("roof", "Z", {{5, 0, 2.4}, {5, 4, 3.7}, {0, 4, 3.7}, {0, 0, 2.4}});
+    const Scene scene =
+        read_zone(zone + window("roof", "1", {{1, 1.11, 2.761}, {2, 1.11, 2.761}, {2, 2.23, 3.125}, {1, 2.23, 3.125}}));
+    EXPECT_THAT(scene.remarks, ElementsAre(HasSubstr("a window or door is 0.00024 off its wall")));
+    EXPECT_NEAR(face_area(scene, 0) + face_area(scene, 1), 5 * std::hypot(4, 1.3), 1e-9);
+}
+
+TEST(EnergyPlusFiles, MayLackTheirVersion) {
+    const std::string text = replaced(room(), "Version,9.5;\n", "");
+    const std::string said = "no Version object: fields are taken as those of version 9.6 and later";
+    EXPECT_THAT(refusal(text), HasSubstr(said));
+    const std::string new_text = "GlobalGeometryRules, ULC, CCW, World;\nZone,Zone One;" + walls("ZONE ONE", " ,");
+    EXPECT_THAT(read_zone(new_text).remarks, ElementsAre(said));
+    EXPECT_THAT(read_zone(replaced(room_as_json(), "Version", "People 2"), "a.epJSON").remarks, IsEmpty());
+}
+
+TEST(EnergyPlusFiles, MayHaveATransformationThatChangesNothing) {
+    EXPECT_THAT(read_zone(room() + "GeometryTransform, XY, 2, 2;").remarks, IsEmpty());
+    EXPECT_THAT(refusal(room() + "GeometryTransform, XY, 0.5, 2;"),
+                HasSubstr(":40: GeometryTransform changes the aspect ratio from 0.5 to 2 (vertices are taken as they"));
+}
+
 /// Two rooms side by side, one of them turned; the wall between them is described once.
 TEST(EnergyPlusFiles, HaveZonesThatAreTurnedAndShareWalls) {
     std::string text = relative_rules + "Zone, Left, 30, 1, 2, 3; Zone, Right, 120, 2, 2, 3;\n";
@@ -243,6 +293,8 @@ TEST(EnergyPlusFiles, AreRefusedWithTheirLine) {
              {replaced(whole, "GlobalGeometryRules", "Rules"), "no GlobalGeometryRules"},
              {replaced(whole, "Counterclockwise", "Upwards"), ":2: vertex entry direction 'Upwards' is unknown"},
              {replaced(whole, "World", "Moon"), "coordinate system 'Moon' is unknown"},
+             {"##include other.idf\n" + whole,
+              "room.idf:1: '##include' is a directive of EP-Macro (macros are not read)"},
              {replaced(whole, "9.5", "2.2"), ":1: version 2.2 (classes had other names before 3.0)"},
              {replaced(whole, "9.5", "new"), "version 'new' (numbers are wanted)"},
              {old_rules + "Zone,Z;", "zone 'Z' has no surface that is read"},

@@ -283,6 +283,8 @@ TEST(RealVs3Files, PutWindowsOnWalls) {
     EXPECT_THAT(glass.remarks, ElementsAre("what lies on 'roof' leaves nothing of it; it is no face"));
     EXPECT_THROW(read_room("S 7 12 11 10 9 1 0 0.8 hatch\n"), UserError) << "it faces the other way";
     EXPECT_THROW(read_room("S 7 9 10 11 12 2 0 0.8 hatch\n"), UserError) << "it lies elsewhere";
+    const Scene rounded = read_room("C encl=1\nV 13 2 1 0.003\nS 7 9 13 11 12 1 0 0.8 hatch\n");
+    EXPECT_THAT(rounded.remarks, ElementsAre(HasSubstr("a surface is put into the plane and the outline of its base")));
     EXPECT_THROW(read_room("V 13 9 1 0\nS 7 9 13 11 12 1 0 0.8 hatch\n"), UserError) << "it reaches beyond";
 }
 

@@ -61,7 +61,7 @@ TEST(SceneDoubts, NameTheOneWallThatFacesTheWrongWay) {
         EXPECT_THAT(
             doubts.faults,
             ElementsAre(AllOf(HasSubstr(fmt::format("face '{}' seems to face the wrong way", wall_names.at(wall))),
-                              HasSubstr("Turn it round"))));
+                              HasSubstr("Turn it round: reverse the order of the corners of each polygon."))));
     }
 }
 

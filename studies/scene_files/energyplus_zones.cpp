@@ -1,0 +1,139 @@
+#include "studies/scene_files/energyplus_zones.hpp"
+
+#include "core/support/error.hpp"
+#include "core/support/excerpt.hpp"
+#include "studies/scene_files/vs3_surface.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <tuple>
+
+namespace ff::studies {
+namespace {
+
+using Eigen::Vector3d;
+using energyplus::fail_at;
+using energyplus::Object;
+
+Vector3d turned_clockwise(const Vector3d& place, double degrees) {
+    const double c = cosine(degrees), s = sine(degrees);
+    return {c * place.x() + s * place.y(), c * place.y() - s * place.x(), place.z()};
+}
+
+}  // namespace
+
+EnergyPlusZones::EnergyPlusZones(std::string_view file, const std::vector<Object>& objects, const std::string& wanted)
+    : file_(file) {
+    for (const Object& object : objects) {
+        if (object.kind->name == "globalgeometryrules") read_rules(object);
+        if (object.kind->name == "geometrytransform") expect_no_change(object);
+        if (object.kind->name == "zone") read_zone(object);
+        if (object.kind->name == "space")
+            spaces_.emplace(object.small_text("name"), std::pair(object.text("name"), object.small_text("zone_name")));
+    }
+    if (!rules_are_read_)
+        throw UserError(
+            fmt::format("{}: no GlobalGeometryRules (it says which side of a surface faces the zone). "
+                        "Add the object.",
+                        file));
+    if (zones_.empty()) throw UserError(fmt::format("{}: no zone (nothing would be computed). Add one.", file));
+    choose(wanted, objects);
+}
+
+double EnergyPlusZones::number_or(double none, const Object& object, std::string_view field) const {
+    if (object.text(field).empty()) return none;
+    return energyplus::number_of_field(file_, object.fields.find(field)->second, field);
+}
+
+/// EnergyPlus knows these by their first letters as well.
+void EnergyPlusZones::read_rules(const Object& object) {
+    rules_are_read_ = true;
+    const auto says = [&](std::string_view field, std::initializer_list<std::string_view> beginnings) {
+        return std::any_of(
+            beginnings.begin(), beginnings.end(),
+            [text = object.small_text(field)](std::string_view begin) { return text.starts_with(begin); });
+    };
+    constexpr std::string_view direction = "vertex_entry_direction", system = "coordinate_system";
+    is_clockwise_ = says(direction, {"cl", "cw"});
+    if (!is_clockwise_ && !says(direction, {"co", "cc"}))
+        fail_at(file_, object.line_of(direction),
+                fmt::format("vertex entry direction '{}' is unknown. Write Counterclockwise or Clockwise.",
+                            excerpt(object.text(direction))));
+    is_relative_ = says(system, {"r"});
+    if (!is_relative_ && !says(system, {"w", "a"}))
+        fail_at(
+            file_, object.line_of(system),
+            fmt::format("coordinate system '{}' is unknown. Write World or Relative.", excerpt(object.text(system))));
+}
+
+void EnergyPlusZones::expect_no_change(const Object& transform) const {
+    const double now = number_or(1, transform, "current_aspect_ratio");
+    const double wanted = number_or(1, transform, "new_aspect_ratio");
+    if (now == wanted) return;
+    fail_at(file_, transform.line,
+            fmt::format("GeometryTransform changes the aspect ratio from {} to {} (vertices are taken as they are in "
+                        "the file). Write the transformed vertices, and remove the object.",
+                        now, wanted));
+}
+
+void EnergyPlusZones::read_zone(const Object& object) {
+    const Place place{
+        object.text("name"),
+        {number_or(0, object, "x_origin"), number_or(0, object, "y_origin"), number_or(0, object, "z_origin")},
+        number_or(0, object, "direction_of_relative_north")};
+    if (!zones_.emplace(object.small_text("name"), place).second)
+        fail_at(
+            file_, object.line,
+            fmt::format("zone '{}' is defined twice (surfaces could be of either). Rename one.", excerpt(place.name)));
+}
+
+void EnergyPlusZones::choose(const std::string& wanted, const std::vector<Object>& objects) {
+    const std::string key = energyplus::in_small_letters(wanted);
+    if (const auto zone = zones_.find(key); zone != zones_.end()) {
+        zone_ = key;
+        chosen_ = zone->second.name;
+    } else if (const auto space = spaces_.find(key); space != spaces_.end() && zones_.contains(space->second.second)) {
+        space_ = key;
+        std::tie(chosen_, zone_) = space->second;
+    } else if (wanted.empty() && zones_.size() == 1) {
+        zone_ = zones_.begin()->first;
+        chosen_ = zones_.begin()->second.name;
+    } else {
+        constexpr std::size_t most_listed = 20;
+        std::vector<std::string> names;
+        for (const Object& object : objects) {
+            if (object.kind->name == "zone") names.push_back(fmt::format("'{}'", excerpt(object.text("name"))));
+        }
+        const std::size_t zones = names.size();
+        names.resize(std::min(zones, most_listed));
+        std::string list = fmt::format("{}", fmt::join(names, ", "));
+        if (zones > most_listed) list += fmt::format(" and {} more", zones - most_listed);
+        throw UserError(
+            wanted.empty()
+                ? fmt::format("{}: {} zones (an enclosure is one of them): {}. Choose by --zone, or in a study by "
+                              "scene = \"{} zone:{}\".",
+                              file_, zones, list, file_, zones_.begin()->second.name)
+                : fmt::format("{}: no zone or space is called '{}'. Zones are {}.", file_, excerpt(wanted), list));
+    }
+}
+
+const std::string& EnergyPlusZones::zone_of_space(const std::string& space) const {
+    static const std::string none;
+    const auto found = spaces_.find(space);
+    return found == spaces_.end() ? none : found->second.second;
+}
+
+bool EnergyPlusZones::is_chosen(const std::string& zone, const std::string& space) const {
+    return space_.empty() ? zone == zone_ : space == space_;
+}
+
+Vector3d EnergyPlusZones::moved(const Vector3d& place, const std::string& from) const {
+    if (!is_relative_ || from == zone_) return place;
+    const Place& own = zones_.at(zone_);
+    const Place& other = zones_.at(from);
+    return turned_clockwise(place, other.north - own.north) + turned_clockwise(other.origin - own.origin, -own.north);
+}
+
+}  // namespace ff::studies
