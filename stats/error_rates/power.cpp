@@ -137,4 +137,10 @@ double detectable_deviation(std::size_t cells, std::uint64_t draws, Risks risks)
     return std::sqrt(noncentrality / static_cast<double>(draws));
 }
 
+double detectable_difference(const MeanEvidence& evidence, Risks risks) {
+    const Interval interval = interval_of(evidence, 1 - risks.alpha);
+    const double reach = std::max(evidence.difference - interval.low, interval.high - evidence.difference);
+    return reach + normal_critical(1 - risks.power) * evidence.standard_error;
+}
+
 }  // namespace ff::stats

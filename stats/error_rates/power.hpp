@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stats/means/mean_test.hpp"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -31,5 +33,8 @@ std::size_t trials_for_equivalence(double margin, double sigma, Risks risks, std
 /// Root mean square relative deviation of the probabilities of `cells` equally likely cells that Pearson's test finds
 /// with the given power (noncentral chi-squared). @pre cells >= 2, draws >= 1
 double detectable_deviation(std::size_t cells, std::uint64_t draws, Risks risks);
+
+/// The difference from 0 that a test of this evidence detects, skewness and all; infinite where it detects none.
+double detectable_difference(const MeanEvidence& evidence, Risks risks);
 
 }  // namespace ff::stats

@@ -2,8 +2,8 @@
 
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
-#include "stats/basics/distributions.hpp"
 #include "stats/error_rates/multiplicity.hpp"
+#include "stats/error_rates/power.hpp"
 #include "stats/means/mean_test.hpp"
 #include "studies/comparison/face_difference.hpp"
 #include "studies/comparison/pair_spreads.hpp"
@@ -191,12 +191,6 @@ void keep_smaller(std::optional<Contrast>& kept, const Contrast& contrast) {
     if (!kept || contrast.adjusted_p < kept->adjusted_p) kept = contrast;
 }
 
-double detectable_difference(const stats::MeanEvidence& means, double level, double power) {
-    const stats::Interval interval = stats::interval_of(means, level);
-    const double reach = std::max(means.difference - interval.low, interval.high - means.difference);
-    return reach + stats::normal_critical(1 - power) * means.standard_error;
-}
-
 void add(double size, Detectable& detectable) {
     if (!std::isfinite(size)) return;
     ++detectable.pairs;
@@ -220,7 +214,7 @@ void judge_cells(const std::vector<Test>& tests, RunComparison& comparison) {
         switch (test.tested) {
             case Tested::mean:
                 keep_smaller(cell.mean, contrast);
-                add(detectable_difference(*test.means, 1 - shared, comparison.power), cell.difference);
+                add(stats::detectable_difference(*test.means, {shared, comparison.power}), cell.difference);
                 break;
             case Tested::spread:
                 keep_smaller(cell.spread, contrast);

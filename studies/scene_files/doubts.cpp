@@ -217,7 +217,7 @@ void add_orientation(const Scene& scene, SceneDoubts& doubts) {
         (may_be_meant ? doubts.notes : doubts.faults)
             .push_back(fmt::format("{}: faces seem to face outwards (no ray from a radiating side meets another, while "
                                    "most from the backs meet backs). {}{}",
-                                   name, may_be_meant ? "If a room is meant: " : "",
+                                   name, may_be_meant ? "If a room is meant, it is inside out. " : "",
                                    how_to_turn(scene, scene.faces.size())));
         return;
     }

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+#include <vector>
 
 namespace ff::stats {
 namespace {
@@ -60,6 +62,30 @@ TEST(MinimumDetectableBias, ShrinksAsTheRootOfManyTrials) {
     constexpr Risks risks{.alpha = 1e-4, .power = 0.9};
     EXPECT_NEAR(minimum_detectable_bias(1, 40'000'000, risks) / minimum_detectable_bias(1, 10'000'000, risks), 0.5,
                 1e-5);
+}
+
+// Of 400 pairs of skewed samples whose means are as far apart as is said to be detected, about 360 are found. Fewer
+// than 335, five standard deviations less, would have a probability below 1e-6.
+TEST(DetectableDifference, IsFoundWithThePowerWhereTrialsAreSkewed) {
+    std::mt19937_64 random(1);
+    std::lognormal_distribution<double> skewed(0, 0.5);
+    constexpr Risks risks{.alpha = 1e-3, .power = 0.9};
+    int found = 0;
+    for (int repetition = 0; repetition < 400; ++repetition) {
+        std::vector<double> first(200), second(200);
+        for (double& x : first) x = skewed(random);
+        for (double& x : second) x = skewed(random);
+        const double apart = detectable_difference(*difference_of_means(first, second), risks);
+        ASSERT_TRUE(std::isfinite(apart));
+        for (double& x : second) x += repetition % 2 == 0 ? apart : -apart;
+        found += test_mean(*difference_of_means(first, second)).p < risks.alpha ? 1 : 0;
+    }
+    EXPECT_GT(found, 335);
+}
+
+TEST(DetectableDifference, IsInfiniteWhereTrialsAreTooFew) {
+    const std::vector<double> few{0, 0, 0, 1}, more{0, 0, 1, 9};
+    EXPECT_TRUE(std::isinf(detectable_difference(*difference_of_means(few, more), {.alpha = 1e-6, .power = 0.9})));
 }
 
 }  // namespace
