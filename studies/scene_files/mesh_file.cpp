@@ -1,10 +1,11 @@
 #include "core/geometry/convex_polygon.hpp"
 #include "core/support/error.hpp"
+#include "core/support/excerpt.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
+#include "studies/scene_files/meshes/gltf_check.hpp"
 #include "studies/scene_files/meshes/mesh_kind.hpp"
-#include "studies/scene_files/meshes/whole_file.hpp"
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -52,12 +53,11 @@ class ObjWriter {
         for (unsigned i = 0; i < node.mNumChildren; ++i) add(*node.mChildren[i], place);
     }
 
-    /// The node's name; that of the mesh where the node has none but the reader's ("<STL_BINARY>").
+    /// The node's name; that of the mesh where the node has none but the library's.
     [[nodiscard]] std::string group_of(const aiNode& node, const aiMesh& mesh) const {
         std::string name = meshes::as_word(node.mName.C_Str());
-        if (name.empty() || name.front() == '<' || &node == scene_.mRootNode)
-            name = meshes::as_word(mesh.mName.C_Str());
-        return name.empty() || name.front() == '<' ? std::string(meshes::unnamed_group) : name;
+        if (name.empty() || &node == scene_.mRootNode) name = meshes::as_word(mesh.mName.C_Str());
+        return name.empty() ? std::string(meshes::unnamed_group) : name;
     }
 
     void add(const aiNode& node, const aiMesh& mesh, const Eigen::Affine3d& place) {
@@ -116,13 +116,14 @@ std::string beginning_of(const std::filesystem::path& file) {
                     file, kind.name, kind.extension));
 }
 
-std::string text_by_assimp(const std::string& file) {
+std::string gltf_as_obj(const std::string& file) {
+    meshes::expect_plain_gltf(file, read_bytes(file));
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* scene = importer.ReadFile(file, aiProcess_SortByPType | aiProcess_ValidateDataStructure);
     if (scene == nullptr || scene->mRootNode == nullptr)
         throw UserError(fmt::format("{}: cannot be read as a mesh ({}). Write it again, or as OBJ.", file,
-                                    importer.GetErrorString()));
+                                    excerpt(importer.GetErrorString())));
     ObjWriter writer(*scene);
     if (writer.is_empty())
         throw UserError(
@@ -144,21 +145,24 @@ std::string mesh_as_obj(const std::filesystem::path& file) {
     const std::string name = file.string();
     const std::string beginning = beginning_of(file);
     const std::uint64_t size = std::filesystem::file_size(file);
-    const auto* const kind = meshes::mesh_kind(beginning, size);
-    if (kind != nullptr && kind->read != nullptr) return kind->read(name, read_bytes(file)).as_obj();
-    if (kind != nullptr && !has_extension(name, kind->extension)) refuse_name(name, *kind);
-    if (has_extension(name, ".msh"))
+    const auto* kind = meshes::mesh_kind(beginning, size);
+    if (kind == nullptr && has_extension(name, ".msh"))
         throw UserError(
             fmt::format("{}: no mesh of gmsh from version 2 on (it would begin with $MeshFormat). Save it "
                         "as version 2 or 4.",
                         name));
-    if (has_extension(name, ".vtk") || has_extension(name, ".vtu") || has_extension(name, ".vtp"))
+    if (kind == nullptr && (has_extension(name, ".vtk") || has_extension(name, ".vtu") || has_extension(name, ".vtp")))
         throw UserError(
             fmt::format("{}: no file of VTK (it would begin with '# vtk DataFile', or as XML with VTKFile). "
                         "Write it again.",
                         name));
-    meshes::expect_whole(name, beginning, size);
-    return text_by_assimp(name);
+    // Files of these formats need not have a mark; what is wrong with others, their readers say.
+    for (const std::string_view extension : {".stl", ".ply", ".off"}) {
+        if (kind == nullptr && has_extension(name, extension)) kind = meshes::mesh_kind_named(extension);
+    }
+    if (kind != nullptr && kind->read != nullptr) return kind->read(name, read_bytes(file)).as_obj();
+    if (kind != nullptr && !has_extension(name, kind->extension)) refuse_name(name, *kind);
+    return gltf_as_obj(name);
 }
 
 }  // namespace ff::studies

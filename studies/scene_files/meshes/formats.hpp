@@ -2,6 +2,7 @@
 
 #include "studies/scene_files/meshes/surface_mesh.hpp"
 
+#include <cstdint>
 #include <string_view>
 
 namespace ff::studies::meshes {
@@ -22,5 +23,17 @@ SurfaceMesh read_vtk_xml(std::string_view file, std::string_view bytes);
 /// see GmshSurfaces.
 bool is_gmsh(std::string_view bytes);
 SurfaceMesh read_gmsh(std::string_view file, std::string_view bytes);
+
+/// STL in text or binary. Groups are the solids of a text.
+/// @param beginning  with all of the header  @param size  of the file, which tells a binary one
+bool is_stl(std::string_view beginning, std::uint64_t size);
+SurfaceMesh read_stl(std::string_view file, std::string_view bytes);
+
+/// PLY in text or binary: faces and strips of triangles.
+SurfaceMesh read_ply(std::string_view file, std::string_view bytes);
+
+/// OFF in text, with places of three coordinates.
+bool is_off(std::string_view bytes);
+SurfaceMesh read_off(std::string_view file, std::string_view bytes);
 
 }  // namespace ff::studies::meshes

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace ff::studies::meshes {
 namespace {
@@ -134,6 +136,12 @@ double MeshInput::real(NumberType type) {
     return value.value_or(0);
 }
 
+double MeshInput::coordinate(NumberType type) {
+    const double value = real(type);
+    if (!std::isfinite(value)) fail(fmt::format("a coordinate is {}, which is no place. Correct it.", value));
+    return value;
+}
+
 std::int64_t MeshInput::whole(NumberType type) {
     if (!type.is_whole()) fail("its numbers are of a type with fractions, and have to be whole.");
     if (encoding_ != Encoding::text) return whole_of(binary(type), type);
@@ -153,6 +161,11 @@ void MeshInput::expect_room(std::uint64_t tuples, std::uint64_t components, std:
         fmt::format("{} numbers are announced, and the {} bytes that follow have no room for them (it was cut off, "
                     "or the number is wrong). Write it again.",
                     components == 1 ? fmt::format("{}", tuples) : fmt::format("{} x {}", tuples, components), left()));
+}
+
+void MeshInput::expect_index(std::int64_t index, std::uint64_t points) const {
+    if (index < 0 || std::cmp_greater_equal(index, points))
+        fail(fmt::format("a polygon has point {}, of {} that count from 0. Correct the index.", index, points));
 }
 
 std::vector<double> MeshInput::reals(NumberType type, std::uint64_t tuples, std::uint64_t components) {

@@ -54,6 +54,8 @@ class MeshInput {
     std::string_view take_bytes(std::size_t count);
 
     double real(NumberType type);
+    /// The same. @throws UserError where it is not finite
+    double coordinate(NumberType type);
     std::int64_t whole(NumberType type);
     std::vector<double> reals(NumberType type, std::uint64_t tuples, std::uint64_t components);
     std::vector<std::int64_t> wholes(NumberType type, std::uint64_t tuples, std::uint64_t components);
@@ -61,6 +63,9 @@ class MeshInput {
 
     /// @throws UserError unless so many tuples may follow, each of at least so many numbers of at least so many bytes
     void expect_room(std::uint64_t tuples, std::uint64_t components, std::size_t bytes) const;
+
+    /// @throws UserError where an index, which has just been read, is none of so many points
+    void expect_index(std::int64_t index, std::uint64_t points) const;
 
     [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
     /// @throws UserError "file:line: section: problem"

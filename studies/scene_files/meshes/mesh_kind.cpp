@@ -1,23 +1,12 @@
 #include "studies/scene_files/meshes/mesh_kind.hpp"
 
 #include "studies/scene_files/meshes/formats.hpp"
-#include "studies/scene_files/meshes/mesh_input.hpp"
 
 #include <algorithm>
 #include <array>
 
 namespace ff::studies::meshes {
 namespace {
-
-/// It has no mark, but is as long as its number of triangles says.
-bool is_binary_stl(std::string_view beginning, std::uint64_t size) {
-    constexpr std::size_t header = 80;
-    constexpr std::uint64_t triangle = 50;
-    if (beginning.size() < header + int32_type.bytes) return false;
-    auto input = MeshInput::part("", beginning.substr(header), Encoding::little_endian);
-    const auto triangles = static_cast<std::uint64_t>(input.whole({NumberType::Kind::natural, 4}));
-    return triangles > 0 && size == header + int32_type.bytes + triangle * triangles;
-}
 
 bool begins_with_word(std::string_view beginning, std::string_view word) {
     constexpr std::string_view blanks = " \t\r\n";
@@ -27,7 +16,7 @@ bool begins_with_word(std::string_view beginning, std::string_view word) {
 
 using Recognises = bool (*)(std::string_view beginning, std::uint64_t size);
 
-constexpr std::array<std::pair<Recognises, MeshKind>, 8> kinds{{
+constexpr std::array<std::pair<Recognises, MeshKind>, 7> kinds{{
     {[](std::string_view beginning, std::uint64_t) { return is_vtk_legacy(beginning); },
      {"a VTK file", ".vtk", read_vtk_legacy}},
     {[](std::string_view beginning, std::uint64_t) { return is_vtk_xml(beginning); },
@@ -37,22 +26,23 @@ constexpr std::array<std::pair<Recognises, MeshKind>, 8> kinds{{
     {[](std::string_view beginning, std::uint64_t) { return beginning.starts_with("glTF"); },
      {"a binary glTF file", ".glb"}},
     {[](std::string_view beginning, std::uint64_t) { return begins_with_word(beginning, "ply"); },
-     {"a PLY file", ".ply"}},
-    {[](std::string_view beginning, std::uint64_t) { return begins_with_word(beginning, "OFF"); },
-     {"an OFF file", ".off"}},
-    {[](std::string_view beginning, std::uint64_t) { return is_text_stl(beginning); }, {"an STL file", ".stl"}},
-    {is_binary_stl, {"a binary STL file", ".stl"}},
+     {"a PLY file", ".ply", read_ply}},
+    {[](std::string_view beginning, std::uint64_t) { return is_off(beginning); }, {"an OFF file", ".off", read_off}},
+    {is_stl, {"an STL file", ".stl", read_stl}},
 }};
 
 }  // namespace
 
-bool is_text_stl(std::string_view beginning) {
-    return beginning.starts_with("solid") && beginning.find("facet") != std::string_view::npos;
-}
-
 const MeshKind* mesh_kind(std::string_view beginning, std::uint64_t size) {
     const auto* const found =
         std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return kind.first(beginning, size); });
+    return found == kinds.end() ? nullptr : &found->second;
+}
+
+const MeshKind* mesh_kind_named(std::string_view extension) {
+    const auto* const found = std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) {
+        return kind.second.extension == extension && kind.second.read != nullptr;
+    });
     return found == kinds.end() ? nullptr : &found->second;
 }
 

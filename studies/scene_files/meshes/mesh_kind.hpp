@@ -18,10 +18,11 @@ struct MeshKind {
 /// As many bytes tell what a file is.
 inline constexpr std::size_t bytes_that_tell = 65536;
 
-bool is_text_stl(std::string_view beginning);
-
 /// Null where the content does not tell.
 /// @param beginning  up to `bytes_that_tell` bytes  @param size  of the file
 const MeshKind* mesh_kind(std::string_view beginning, std::uint64_t size);
+
+/// What a file with that extension should be; null where no reader of the project's own has it.
+const MeshKind* mesh_kind_named(std::string_view extension);
 
 }  // namespace ff::studies::meshes

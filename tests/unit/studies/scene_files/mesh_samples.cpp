@@ -36,6 +36,16 @@ std::vector<MeshSample> mesh_samples() {
         samples.push_back({"room.msh", gmsh4_file(encoding, "4"), surfaces});
         samples.push_back({"room.msh", gmsh4_file(encoding, "4.1"), surfaces});
     }
+    samples.push_back({"room.stl", stl_file(Encoding::text), {"floor_plate", "_2_two", "mesh"}});
+    const std::vector<std::string> none{"mesh"};
+    samples.push_back({"room.stl", stl_file(Encoding::little_endian), none});
+    for (const Encoding encoding : {Encoding::text, Encoding::little_endian, Encoding::big_endian}) {
+        for (const PlyPolygons polygons : {PlyPolygons::after_points, PlyPolygons::before_points, PlyPolygons::strips})
+            samples.push_back({"room.ply", ply_file(encoding, polygons), none});
+    }
+    samples.push_back({"room.off", off_file("OFF\n", ""), none});
+    samples.push_back({"room.off", off_file("OFF ", " # a point"), none});
+    samples.push_back({"room.off", off_file("STCNOFF\n# no comment\n", " 0 0 1 255 0 0 255 0.5 0.5"), none});
     return samples;
 }
 

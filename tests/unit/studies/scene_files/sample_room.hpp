@@ -86,4 +86,15 @@ std::string gmsh2_file(Encoding encoding);
 /// The same in version 4 or 4.1.
 std::string gmsh4_file(Encoding encoding, std::string_view version);
 
+/// Three solids in text, one in binary.
+std::string stl_file(Encoding encoding);
+
+enum class PlyPolygons { after_points, before_points, strips };
+
+/// With properties and elements that mean nothing here.
+std::string ply_file(Encoding encoding, PlyPolygons polygons);
+
+/// @param keyword  with what follows it  @param after_points  normals, colours and such
+std::string off_file(std::string_view keyword, std::string_view after_points);
+
 }  // namespace ff::studies::meshes
