@@ -71,18 +71,23 @@ std::optional<QuadraticForm> combine_deviations(std::span<const double> deviatio
     double statistic = 0;
     std::size_t rank = 0;
     Eigen::VectorXd unexplained = Eigen::VectorXd::Zero(scores.size());
+    Eigen::MatrixXd inverse = Eigen::MatrixXd::Zero(scores.size(), scores.size());
     for (Eigen::Index i = 0; i < scores.size(); ++i) {
         const Eigen::VectorXd direction = eigen.eigenvectors().col(i);
         const double component = direction.dot(scores);
         if (eigen.eigenvalues()(i) > tolerance) {
             statistic += component * component / eigen.eigenvalues()(i);
+            inverse += direction * direction.transpose() / eigen.eigenvalues()(i);
             ++rank;
         } else {
             unexplained += component * direction;
         }
     }
     outside = std::max(outside, unexplained.cwiseProduct(sd).cwiseAbs().maxCoeff());
-    return QuadraticForm{.chi_squared = judged(statistic, rank), .outside = outside};
+    QuadraticForm form{
+        .chi_squared = judged(statistic, rank), .outside = outside, .inverse = Eigen::MatrixXd::Zero(n, n)};
+    form.inverse(random, random) = scale * inverse * scale;
+    return form;
 }
 
 std::optional<GoodnessOfFit> test_goodness_of_fit(std::span<const std::uint64_t> counts,

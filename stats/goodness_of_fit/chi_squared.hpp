@@ -22,6 +22,7 @@ struct QuadraticForm {
     /// Largest |deviation| along directions in which C has no variance, in units of the deviations' own (0 where a
     /// linear relation such as closure holds). Anything above rounding contradicts C, whatever p says.
     double outside = 0;
+    Eigen::MatrixXd inverse;  ///< C^+, 0 for entries of zero variance
 };
 
 /// Empty where C has rank 0. @pre C is square, symmetric and as large as `deviations`

@@ -1,15 +1,17 @@
 #include "studies/audit/audit.hpp"
 
-#include "core/support/error.hpp"
 #include "stats/basics/distributions.hpp"
 #include "studies/audit/blame.hpp"
 #include "studies/audit/explain.hpp"
+#include "studies/audit/format_choice.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace ff::studies::audit {
 namespace {
@@ -29,10 +31,13 @@ class Auditor {
     }
 
     Report run() {
-        judge_formats();
+        set_levels();
+        infer();
+        for (const InferredFormat& format : report_.formats) {
+            if (auto finding = judge_printing_rule(tables_, format)) add(std::move(*finding));
+        }
         judge_references();
         judge_readings();
-        set_z_limit();
         for (const Experiment& experiment : experiments_) judge_experiment(experiment);
         judge_spreads();
         sort_findings();
@@ -45,44 +50,36 @@ class Auditor {
         report_.findings.push_back(std::move(finding));
     }
 
-    // How values are printed ------------------------------------------------------------------------------------
+    // How values are printed, what errors are relative to and what columns mean -----------------------------------
 
-    void judge_formats() {
+    /// Formats are chosen by what they leave contradictory, which depends on references and readings; these depend on
+    /// formats, though hardly, so that a second round is the last.
+    void infer() {
         for (const Experiment& experiment : experiments_) {
             const bool known = std::any_of(report_.formats.begin(), report_.formats.end(),
                                            [&](const InferredFormat& f) { return f.method == experiment.method; });
-            if (known) continue;
-            report_.formats.push_back(infer_format(tables_, experiment.method));
-            if (!report_.formats.back().evidence.empty()) judge_printing_rule(report_.formats.back());
+            if (!known) report_.formats.push_back(infer_format(tables_, experiment.method));
+        }
+        bool changed = true;
+        for (int round = 0; changed && round < 2; ++round) {
+            std::vector<NumberFormat> formats;
+            for (const Figure& figure : tables_.figures) formats.push_back(format_of_method(figure.method).format);
+            report_.references = infer_references(tables_, facts_, formats);
+            weigh_all_readings();
+            changed = false;
+            for (InferredFormat& format : report_.formats) {
+                const NumberFormat before = std::exchange(format.format, choose_format_of(format));
+                changed = changed || before != format.format;
+            }
         }
     }
 
-    /// Does the publication print as it says?
-    void judge_printing_rule(const InferredFormat& finding) {
-        if (tables_.rule == PrintingRule::unstated) return;
-        const Rounding stated = tables_.rule == PrintingRule::rounded ? Rounding::rounded : Rounding::truncated;
-        const FormatEvidence& best = finding.evidence.front();
-        if (best.format.rounding == stated) return;
-        const auto other = std::find_if(finding.evidence.begin(), finding.evidence.end(),
-                                        [&](const FormatEvidence& e) { return e.format.rounding == stated; });
-        const double log_odds = best.log_likelihood - other->log_likelihood;
-        if (log_odds < std::log(refuting_odds)) return;
-        Finding f;
-        f.id = fmt::format("printing rule: {}", finding.method);
-        f.relation = Relation::printing_rule;
-        f.statement =
-            fmt::format("The publication says that its figures are {}, but those of {} are {}.",
-                        stated == Rounding::rounded ? "rounded" : "truncated", finding.method, describe(best.format));
-        for (const FormatEvidence* e : {&best, &*other}) {
-            f.evidence.push_back({Relation::integrality,
-                                  fmt::format("{}: {} of {} figures are a whole number of hits, {:.1f} expected by "
-                                              "chance (p = {:.2g}).",
-                                              describe(e->format), e->whole, e->figures, e->expected, e->chance),
-                                  {}});
-        }
-        f.evidence.push_back(
-            {Relation::printing_rule, fmt::format("Odds 10^{:.0f} to 1.", log_odds / std::log(10.0)), {}});
-        add(std::move(f));
+    NumberFormat choose_format_of(const InferredFormat& inferred) {
+        std::vector<Experiment> own;
+        std::copy_if(experiments_.begin(), experiments_.end(), std::back_inserter(own),
+                     [&](const Experiment& e) { return e.method == inferred.method; });
+        return choose_format({tables_, facts_, cache_, report_.references, report_.z_limit, spread_level_}, own,
+                             inferred);
     }
 
     InferredFormat& format_of_method(const std::string& method) {
@@ -93,9 +90,6 @@ class Auditor {
     // What errors are relative to -------------------------------------------------------------------------------
 
     void judge_references() {
-        std::vector<NumberFormat> formats;
-        for (const Figure& figure : tables_.figures) formats.push_back(format_of_method(figure.method).format);
-        report_.references = infer_references(tables_, facts_, formats);
         for (const InferredReference& r : report_.references.references) {
             if (r.source != ReferenceSource::shortened) continue;
             Finding f;
@@ -141,7 +135,7 @@ class Auditor {
 
     // What columns mean -----------------------------------------------------------------------------------------
 
-    void judge_readings() {
+    void weigh_all_readings() {
         NumberFormat format{};
         for (const std::string& method : tables_.sampling_methods) {
             for (const InferredFormat& f : report_.formats) {
@@ -151,6 +145,11 @@ class Auditor {
         report_.readings = weigh_readings(tables_, facts_, format, cache_);
         for (const ReadingEvidence& reading : report_.readings) {
             if (reading.log_odds == 0) apply_reading(reading);
+        }
+    }
+
+    void judge_readings() {
+        for (const ReadingEvidence& reading : report_.readings) {
             if (!reading.refuted || reading.stated_in.empty()) continue;
             Finding f;
             f.id = fmt::format("reading: {} {}", reading.table, reading.statement);
@@ -188,7 +187,7 @@ class Auditor {
 
     // Every experiment ------------------------------------------------------------------------------------------
 
-    void set_z_limit() {
+    void set_levels() {
         const double single = report_.alpha / 2;
         for (const Experiment& experiment : experiments_) {
             if (!experiment.rays_per_face) continue;
@@ -198,6 +197,9 @@ class Auditor {
         }
         const auto tests = static_cast<double>(std::max<std::size_t>(1, report_.plausibility_tests));
         report_.z_limit = stats::normal_critical(single / (2 * tests));
+        const auto sampled = std::count_if(experiments_.begin(), experiments_.end(),
+                                           [](const Experiment& e) { return e.rays_per_face.has_value(); });
+        spread_level_ = report_.alpha / 2 / (2 * static_cast<double>(std::max<std::ptrdiff_t>(1, sampled)));
     }
 
     struct Judged {
@@ -210,27 +212,12 @@ class Auditor {
         Judged judged;
         judged.interpretation = {format, report_.references.rounding, report_.references.reference};
         judged.model = build_model(tables_, facts_, experiment, judged.interpretation, cache_, report_.z_limit);
-        try {
-            judged.diagnoses = judge_diagnoses(tables_, facts_, judged.model, judged.interpretation);
-        } catch (const UserError& error) {
-            throw UserError(fmt::format("{}: {}", describe(experiment), error.what()));
-        }
+        judged.diagnoses = judge_diagnoses(tables_, facts_, judged.model, judged.interpretation);
         return judged;
     }
 
     void judge_experiment(const Experiment& experiment) {
-        InferredFormat& format = format_of_method(experiment.method);
-        Judged judged = judge_as(experiment, format.format);
-        if (!experiment.rays_per_face && !judged.diagnoses.empty() && judged.diagnoses.front().diagnosis.cost > 0) {
-            // Without hits to tell rounding from truncation, a figure is wrong only if it is wrong under both.
-            NumberFormat other = format.format;
-            other.rounding = other.rounding == Rounding::rounded ? Rounding::truncated : Rounding::rounded;
-            Judged again = judge_as(experiment, other);
-            if (!again.diagnoses.empty() &&
-                cost_of_rounding(again.model, again.diagnoses.front().diagnosis) <
-                    cost_of_rounding(judged.model, judged.diagnoses.front().diagnosis) - 0.5)
-                judged = std::move(again);
-        }
+        const Judged judged = judge_as(experiment, format_of_method(experiment.method).format);
         for (Finding& finding :
              explain_diagnosis(tables_, facts_, experiment, judged.model, judged.interpretation, judged.diagnoses)) {
             add_hints(finding, judged.interpretation);
@@ -268,41 +255,34 @@ class Auditor {
     }
 
     void recover_hits(const Experiment& experiment, const Judged& judged) {
-        std::vector<SampledValue> values;
+        const std::vector<Range>& ranges = judged.diagnoses.front().diagnosis.ranges;
         for (const FigureLink& link : judged.model.links) {
             const Constraint& constraint = judged.model.system.constraints[link.constraint];
             if (constraint.kind != ConstraintKind::linear || !link.quantity) continue;
             const Variable& variable = judged.model.system.variables[link.quantity->variable];
             RecoveredHits hits{
                 .figure = link.figure, .rays = *experiment.rays_per_face, .printed = {}, .consistent = {}};
-            if (variable.rays && link.quantity->factor == 1) {
+            if (variable.rays && link.quantity->factor == 1)
                 hits.printed = possible_hits(constraint.values, *variable.rays);
-            }
-            if (!judged.diagnoses.empty()) {
-                const Range range = judged.diagnoses.front().diagnosis.ranges[link.quantity->variable];
-                if (variable.rays) hits.consistent = possible_hits(range, *variable.rays);
-                values.push_back({link.figure, link.quantity->factor * range.middle()});
-            }
+            if (variable.rays) hits.consistent = possible_hits(ranges[link.quantity->variable], *variable.rays);
             report_.hits.push_back(hits);
         }
         if (!judged.model.distribution) return;
-        if (const auto spread = weigh_spread(tables_, facts_, *judged.model.distribution, values)) {
+        if (const auto spread = weigh_spread(tables_, facts_, *judged.model.distribution, *experiment.rays_per_face,
+                                             values_within(judged.model, ranges)))
             report_.spreads.push_back({describe(experiment), *spread});
-        }
     }
 
     void judge_spreads() {
-        const double level =
-            report_.alpha / 2 / (2 * static_cast<double>(std::max<std::size_t>(1, report_.spreads.size())));
         for (const ExperimentSpread& s : report_.spreads) {
-            const bool far = s.spread.too_far < level;
-            if (!far && s.spread.too_close >= level) continue;
+            if (!is_implausible(s.spread, spread_level_)) continue;
+            const bool far = s.spread.too_far < spread_level_;
             Finding f;
             f.id = fmt::format("spread: {}", s.experiment);
             f.relation = Relation::spread;
             f.statement = fmt::format(
-                "{}: the values lie together too {} the exact ones for chance (chi-squared {:.3g} "
-                "with {} degrees of freedom, p = {:.2g}).",
+                "{}: the values lie together too {} the exact ones for chance, whatever digits are not printed "
+                "(chi-squared {:.3g} with {} degrees of freedom, p = {:.2g}).",
                 s.experiment, far ? "far from" : "close to", s.spread.chi_squared.statistic,
                 s.spread.chi_squared.freedom, far ? s.spread.too_far : s.spread.too_close);
             f.involved = s.spread.figures;
@@ -323,6 +303,7 @@ class Auditor {
     SceneFacts facts_;
     std::vector<Experiment> experiments_;
     Report report_;
+    double spread_level_ = 0;  ///< of the chi-squared test of one experiment, either way
 };
 
 }  // namespace

@@ -22,6 +22,7 @@ Range predicted(const Constraint& constraint, const std::vector<Range>& ranges) 
         sum.low += term.factor * x.low;
         sum.high += term.factor * x.high;
     }
+    sum.high = std::max(sum.low, sum.high);  // the ends of a point may be rounded past each other
     return sum;
 }
 
@@ -80,15 +81,6 @@ JudgedDiagnosis judge(const PublishedTables& tables, const SceneFacts& facts, co
 }
 
 }  // namespace
-
-double cost_of_rounding(const ExperimentModel& model, const Diagnosis& diagnosis) {
-    double cost = 0;
-    for (const std::size_t s : diagnosis.blamed) {
-        const Suspect& suspect = model.system.suspects[s];
-        cost += suspect.figures.empty() ? static_cast<double>(most_misprints) : suspect.cost;
-    }
-    return cost;
-}
 
 const Constraint& constraint_of(const ExperimentModel& model, std::size_t suspect) {
     return *std::find_if(model.system.constraints.begin(), model.system.constraints.end(),

@@ -24,10 +24,6 @@ struct JudgedDiagnosis {
 std::vector<JudgedDiagnosis> judge_diagnoses(const PublishedTables& tables, const SceneFacts& facts,
                                              const ExperimentModel& model, const Interpretation& interpretation);
 
-/// What a diagnosis costs when it is compared with that of another rounding: with the wrong one many pairs seem to
-/// break reciprocity, so that giving up an assumption is the last resort.
-double cost_of_rounding(const ExperimentModel& model, const Diagnosis& diagnosis);
-
 /// The constraint of a suspect's figures.
 const Constraint& constraint_of(const ExperimentModel& model, std::size_t suspect);
 

@@ -1,9 +1,6 @@
 #include "studies/audit/diagnosis.hpp"
 
 #include "core/support/contract.hpp"
-#include "core/support/error.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -19,13 +16,19 @@ namespace {
 using Conflict = std::vector<std::size_t>;
 using Spared = std::set<std::size_t>;  ///< suspects that must not be blamed
 
+/// What a search may still take. Some seconds; it may double with every conflict.
+struct Budget {
+    std::uint64_t steps = 50'000'000;
+};
+
 /// Branch and bound for the cheapest set of suspects that has one of every conflict.
 class HittingSet {
   public:
     HittingSet(const ConstraintSystem& system, const std::vector<Conflict>& conflicts, const Spared& spared,
-               double limit)
+               double limit, Budget& budget)
         : system_(system),
           conflicts_(conflicts),
+          budget_(budget),
           chosen_(system.suspects.size()),
           excluded_(system.suspects.size()),
           bound_(limit) {
@@ -33,7 +36,6 @@ class HittingSet {
         search(0);
     }
     [[nodiscard]] const std::optional<Blame>& best() const { return best_; }
-    [[nodiscard]] double cost() const { return bound_; }
 
   private:
     [[nodiscard]] bool is_hit(const Conflict& conflict) const {
@@ -70,16 +72,10 @@ class HittingSet {
 
     void search(double cost) {
         constexpr double equal = 1e-9;
-        // Some seconds. The search may double with every conflict.
-        constexpr std::uint64_t most_steps = 100'000'000;
-        for (const Conflict& conflict : conflicts_) steps_ += conflict.size();
-        if (steps_ > most_steps) {
-            throw UserError(
-                fmt::format("{} groups of figures contradict themselves (the fewest causes of so many cannot be "
-                            "found). Audit fewer "
-                            "columns at a time, and look whether one run is printed with different values.",
-                            conflicts_.size()));
-        }
+        std::uint64_t steps = 0;
+        for (const Conflict& conflict : conflicts_) steps += conflict.size();
+        budget_.steps -= std::min(budget_.steps, steps);
+        if (budget_.steps == 0) return;
         const Rest rest = this->rest();
         if (cost + rest.least_cost > bound_) return;
         if (!rest.narrowest) {
@@ -98,28 +94,67 @@ class HittingSet {
 
     const ConstraintSystem& system_;
     const std::vector<Conflict>& conflicts_;
+    Budget& budget_;
     Blame chosen_;
     Blame excluded_;
     double bound_;
-    std::uint64_t steps_ = 0;
     std::optional<Blame> best_;
 };
 
-/// The cheapest diagnosis without `spared` that costs at most `limit`; adds the conflicts it comes across.
+Diagnosis diagnosis_of(const ConstraintSystem& system, const Blame& blame, std::vector<Range> ranges) {
+    Diagnosis diagnosis{.ranges = std::move(ranges)};
+    for (std::size_t s = 0; s < blame.size(); ++s) {
+        if (!blame[s]) continue;
+        diagnosis.blamed.push_back(s);
+        diagnosis.cost += system.suspects[s].cost;
+    }
+    return diagnosis;
+}
+
+/// The suspect in most of the conflicts that are not hit, by its cost.
+std::optional<std::size_t> busiest(const ConstraintSystem& system, const std::vector<Conflict>& conflicts,
+                                   const Blame& blame) {
+    std::vector<double> share(system.suspects.size(), 0.0);
+    for (const Conflict& conflict : conflicts) {
+        if (std::any_of(conflict.begin(), conflict.end(), [&](std::size_t s) { return blame[s]; })) continue;
+        for (const std::size_t s : conflict) share[s] += 1 / system.suspects[s].cost;
+    }
+    const auto most = std::max_element(share.begin(), share.end());
+    if (most == share.end() || *most == 0) return std::nullopt;
+    return static_cast<std::size_t>(most - share.begin());
+}
+
+/// Blames the busiest suspect until nothing is contradictory, then spares whoever is not needed, late ones first.
+Diagnosis find_greedily(const ConstraintSystem& system, std::vector<Conflict> conflicts) {
+    Blame blame(system.suspects.size(), false);
+    std::vector<std::size_t> order;
+    for (;;) {
+        while (const auto suspect = busiest(system, conflicts, blame)) {
+            blame[*suspect] = true;
+            order.push_back(*suspect);
+        }
+        if (propagate(system, blame)) break;
+        conflicts.push_back(find_conflict(system, blame));
+    }
+    for (auto suspect = order.rbegin(); suspect != order.rend(); ++suspect) {
+        blame[*suspect] = false;
+        if (!propagate(system, blame)) blame[*suspect] = true;
+    }
+    Diagnosis diagnosis = diagnosis_of(system, blame, propagate(system, blame).value());
+    diagnosis.proven = false;
+    return diagnosis;
+}
+
+/// The cheapest diagnosis without `spared` that costs at most `limit`; adds the conflicts it comes across. Empty where
+/// there is none or the budget is used up.
 std::optional<Diagnosis> cheapest(const ConstraintSystem& system, std::vector<Conflict>& conflicts,
-                                  const Spared& spared, double limit) {
+                                  const Spared& spared, double limit, Budget& budget) {
     constexpr std::size_t most_conflicts = 60;  // that are worth finding for an alternative
     for (;;) {
-        const HittingSet hitting(system, conflicts, spared, limit);
-        if (!hitting.best()) return std::nullopt;
+        const HittingSet hitting(system, conflicts, spared, limit, budget);
+        if (!hitting.best() || budget.steps == 0) return std::nullopt;
         const Blame& blame = *hitting.best();
-        if (auto ranges = propagate(system, blame)) {
-            Diagnosis diagnosis{.cost = hitting.cost(), .ranges = std::move(*ranges)};
-            for (std::size_t s = 0; s < blame.size(); ++s) {
-                if (blame[s]) diagnosis.blamed.push_back(s);
-            }
-            return diagnosis;
-        }
+        if (auto ranges = propagate(system, blame)) return diagnosis_of(system, blame, std::move(*ranges));
         if (!spared.empty() && conflicts.size() > most_conflicts) return std::nullopt;
         // Several disjoint conflicts at a time save rounds.
         Blame more = blame;
@@ -171,6 +206,14 @@ std::vector<std::size_t> find_conflict(const ConstraintSystem& system, const Bla
     return conflict;
 }
 
+std::optional<Diagnosis> find_cheapest(const ConstraintSystem& system, double limit) {
+    std::vector<Conflict> conflicts;
+    Budget budget;
+    auto diagnosis = cheapest(system, conflicts, {}, limit, budget);
+    if (!diagnosis && budget.steps == 0) diagnosis = find_greedily(system, std::move(conflicts));
+    return diagnosis && diagnosis->cost <= limit ? std::move(diagnosis) : std::nullopt;
+}
+
 std::vector<Diagnosis> diagnose(const ConstraintSystem& system) {
     double limit = 0;
     for (const Suspect& suspect : system.suspects) limit += suspect.cost;
@@ -178,13 +221,15 @@ std::vector<Diagnosis> diagnose(const ConstraintSystem& system) {
     constexpr int most_searches = 60;
     std::vector<Conflict> conflicts;
     std::vector<Diagnosis> found;
+    Budget budget;
     std::set<Spared> seen{{}};
     std::deque<Spared> open{{}};
     for (int search = 0; search < most_searches && !open.empty() && found.size() < most_diagnoses; ++search) {
         const Spared spared = open.front();
         open.pop_front();
-        auto diagnosis = cheapest(system, conflicts, spared, limit);
-        FF_ENSURE(diagnosis || !spared.empty());
+        auto diagnosis = cheapest(system, conflicts, spared, limit, budget);
+        FF_ENSURE(diagnosis || !spared.empty() || budget.steps == 0);
+        if (!diagnosis && found.empty()) return {find_greedily(system, std::move(conflicts))};
         if (!diagnosis) continue;
         if (found.empty()) limit = diagnosis->cost + half_a_figure;
         // Whatever differs from this diagnosis spares one of its suspects.

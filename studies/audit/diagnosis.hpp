@@ -3,6 +3,7 @@
 #include "studies/audit/constraint_system.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace ff::studies::audit {
@@ -12,11 +13,13 @@ struct Diagnosis {
     std::vector<std::size_t> blamed{};  ///< ascending
     double cost = 0;
     std::vector<Range> ranges{};  ///< [variable]: what all constraints that are not blamed allow
+    /// Whether no other blame is cheaper; otherwise each of the blamed is needed, but others might do with fewer.
+    bool proven = true;
 };
 
 /// The cheapest diagnosis first, then others that cost at most half a figure more (at most `most_diagnoses` in total).
-/// A consistent system has one empty diagnosis. The first is certain to be cheapest; the search for others gives up
-/// early where very many figures contradict each other.
+/// A consistent system has one empty diagnosis. The search for others gives up early where very many figures contradict
+/// each other; where even the first cannot be proven cheapest in some seconds, it is the only one.
 ///
 /// Minimal sets of figures that contradict each other ("conflicts") are found one by one, and the cheapest set that
 /// hits them all is tried until nothing is contradictory any more.
@@ -24,6 +27,9 @@ struct Diagnosis {
 inline constexpr std::size_t most_diagnoses = 12;
 
 std::vector<Diagnosis> diagnose(const ConstraintSystem& system);
+
+/// The first of these if it costs at most `limit`, without the search for others.
+std::optional<Diagnosis> find_cheapest(const ConstraintSystem& system, double limit);
 
 /// A minimal set of unblamed suspects that cannot all be right; empty where there is no contradiction. A system that
 /// contradicts itself without any suspect is a bug.

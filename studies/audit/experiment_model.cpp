@@ -196,11 +196,11 @@ class ModelBuilder {
         switch (figure.kind) {
             case FigureKind::form_factor:
                 constraint.terms = {pair(figure)};
-                if (range) constraint.values = without_ties(constraint);
+                if (range) constraint.values = without_ties(*range);
                 break;
             case FigureKind::row_sum:
                 constraint.terms = {{model_.sums[*facts_.face(figure.from)], 1}};
-                if (range) constraint.values = without_ties(constraint);
+                if (range) constraint.values = without_ties(*range);
                 break;
             case FigureKind::relative_error:
                 constraint.kind = ConstraintKind::deviation;
@@ -225,10 +225,10 @@ class ModelBuilder {
         return {percent.low - slack, percent.high + slack};
     }
 
-    /// Numbers that are no fractions never lie exactly between two prints.
-    [[nodiscard]] Range without_ties(const Constraint& constraint) const {
-        const Range range = constraint.values;
-        if (model_.system.variables[constraint.terms.front().variable].rays) return range;
+    /// The numbers of a deterministic method never lie exactly between two prints, as fractions of rays and of areas
+    /// do.
+    [[nodiscard]] Range without_ties(Range range) const {
+        if (sampled()) return range;
         const double margin = 1e-5 * printed_unit(range.middle(), interpretation_.values);
         return {range.low + margin, range.high - margin};
     }

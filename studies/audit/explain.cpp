@@ -1,5 +1,6 @@
 #include "studies/audit/explain.hpp"
 
+#include "studies/audit/explain_assumption.hpp"
 #include "studies/audit/reciprocity.hpp"
 
 #include <fmt/format.h>
@@ -10,13 +11,6 @@
 
 namespace ff::studies::audit {
 namespace {
-
-/// "0.19902" or "0.19902 to 0.19903".
-std::string in_words(Range range) {
-    const std::string low = fmt::format("{:.7g}", range.low);
-    const std::string high = fmt::format("{:.7g}", range.high);
-    return low == high ? low : low + " to " + high;
-}
 
 std::vector<std::size_t> figures_of(const ConstraintSystem& system, const std::vector<std::size_t>& suspects) {
     std::vector<std::size_t> figures;
@@ -60,6 +54,11 @@ class Explainer {
             }
         }
         for (const auto& group : groups) findings.push_back(explain_group(group));
+        for (Finding& finding : findings) {
+            if (!best_.diagnosis.proven)
+                finding.statement +=
+                    " Not proven: with so many contradictions, fewer other figures may be wrong instead.";
+        }
         return findings;
     }
 
@@ -96,7 +95,8 @@ class Explainer {
                 sentences.push_back(sentence(s, *correction));
                 explain_figure(s, *correction, finding);
             } else {
-                sentences.push_back(explain_assumption(s, finding));
+                sentences.push_back(
+                    explain_assumption(tables_, facts_, experiment_, model_, best_.diagnosis, s, finding));
             }
         }
         finding.statement = fmt::format("{}", fmt::join(sentences, " "));
@@ -122,61 +122,25 @@ class Explainer {
 
     std::string sentence(std::size_t suspect, const Correction& correction) const {
         const auto& figures = model_.system.suspects[suspect].figures;
-        std::string text = fmt::format("{} is printed as {} but should be {}{}.", describe(tables_, figures.front()),
-                                       correction.printed, correction.certain ? "" : "near ", correction.meant);
-        if (!correction.certain) {
-            text += fmt::format(" Everything else leaves {}.", in_words(correction.values));
+        std::string text = fmt::format("{} is printed as {}", describe(tables_, figures.front()), correction.printed);
+        if (differs(correction)) {
+            text += fmt::format(" but should be {}{}.", correction.certain ? "" : "near ", correction.meant);
+        } else {
+            text += ", which does not agree with the other figures.";
         }
+        // Values that are possible one by one need not be possible together.
+        const Range printed = constraint_of(model_, suspect).values;
+        const bool apart = correction.values.low > printed.high || correction.values.high < printed.low;
+        if (!correction.certain && apart)
+            text += fmt::format(" Everything else leaves {}.", in_words(correction.values));
         if (figures.size() > 1) text += fmt::format(" The same holds for {} equal figures.", figures.size() - 1);
         return text;
     }
 
-    std::string explain_assumption(std::size_t suspect, Finding& finding) const {
-        return constraint_of(model_, suspect).relation == Relation::closure ? explain_closure(suspect, finding)
-                                                                            : explain_reciprocity(suspect, finding);
-    }
-
-    std::string explain_reciprocity(std::size_t suspect, Finding& finding) const {
-        constexpr std::size_t most_shown = 12;
-        std::size_t broken = 0;
-        std::string first = "sums of rows";
-        for (const Constraint& constraint : model_.system.constraints) {
-            if (constraint.suspect != suspect) continue;
-            const Range allowed = project(constraint, model_.system, best_.diagnosis.ranges, 0);
-            const Range left = best_.diagnosis.ranges[constraint.terms.front().variable];
-            if ((allowed.low <= left.high && allowed.high >= left.low) || ++broken > most_shown) continue;
-            const std::string both = both_ways(tables_, facts_, model_, constraint);
-            if (broken == 1) first = both;
-            finding.evidence.push_back(
-                {Relation::reciprocity, fmt::format("It is broken by {}.", both), figures_behind(constraint)});
-        }
-        if (broken > 1) first += fmt::format(", and {} other pair{} of figures", broken - 1, broken == 2 ? "" : "s");
-        return fmt::format(
-            "{}: {} break reciprocity by more than rounding can. Either the method does not keep it or "
-            "figures are wrong.",
-            describe(experiment_), first);
-    }
-
-    std::string explain_closure(std::size_t suspect, Finding& finding) const {
-        const Constraint& constraint = constraint_of(model_, suspect);
-        const std::size_t sum = constraint.terms.front().variable;
-        const Range range = best_.diagnosis.ranges[sum];
-        const double rays = static_cast<double>(experiment_.rays_per_face.value_or(0));
-        Evidence evidence{.relation = constraint.relation,
-                          .text =
-                              "A face whose whole row comes from its own rays must sum to 1 exactly in a closed "
-                              "scene, unless rays are lost.",
-                          .figures = {}};
-        for (const FigureLink& link : model_.links) {
-            if (link.quantity && link.quantity->variable == sum) evidence.figures.push_back(link.figure);
-        }
-        finding.evidence.push_back(evidence);
-        std::string text = fmt::format("{}: a row sum must be 1 exactly but is {}, as if {:.0f}", describe(experiment_),
-                                       in_words(range), rays * (1 - range.high));
-        if (range.high > range.low) text += fmt::format(" to {:.0f}", rays * (1 - range.low));
-        text += fmt::format(" of {:.0f} rays were lost", rays);
-        for (const std::size_t f : evidence.figures) text += fmt::format("; {}", quote(tables_, f));
-        return text + ".";
+    static bool differs(const Correction& correction) {
+        const auto printed = parse_printed(correction.printed);
+        const auto meant = parse_printed(correction.meant);
+        return !printed || !meant || printed->value() != meant->value();
     }
 
     /// Every relation that does not allow the printed figure.
@@ -239,7 +203,7 @@ class Explainer {
         const double high = allowed.high * quantity.factor;
         if (high >= printed.low && low <= printed.high) return;
         if (constraint.relation == Relation::row_sum && !is_stated(constraint.terms.front().variable)) return;
-        Evidence evidence{constraint.relation, {}, figures_behind(constraint)};
+        Evidence evidence{constraint.relation, {}, figures_behind(model_, constraint)};
         evidence.text = fmt::format("{} leaves {}.", reason(constraint), in_words({low, high}));
         finding.evidence.push_back(std::move(evidence));
     }
@@ -280,22 +244,10 @@ class Explainer {
         return facts_.scene.faces[static_cast<std::size_t>(found - model_.sums.begin())];
     }
 
-    /// Figures that a constraint is about: its own, or all prints of its variables.
-    std::vector<std::size_t> figures_behind(const Constraint& constraint) const {
-        if (constraint.suspect && constraint.relation != Relation::reciprocity)
-            return model_.system.suspects[*constraint.suspect].figures;
-        std::vector<std::size_t> figures;
-        if (constraint.relation == Relation::plausibility) return figures;
-        for (const FigureLink& link : model_.links) {
-            if (!link.quantity || model_.system.constraints[link.constraint].kind != ConstraintKind::linear) continue;
-            const bool part = std::any_of(constraint.terms.begin(), constraint.terms.end(),
-                                          [&](const Term& term) { return term.variable == link.quantity->variable; });
-            if (part) figures.push_back(link.figure);
-        }
-        return figures;
-    }
-
     void add_alternatives(const std::vector<std::size_t>& group, Finding& finding) const {
+        constexpr double as_likely = 0.3;  // powers of ten: less than twice as improbable
+        constexpr std::size_t most_named = 3;
+        std::vector<std::string> equal;
         for (std::size_t d = 1; d < diagnoses_.size(); ++d) {
             const JudgedDiagnosis& other = diagnoses_[d];
             const auto spared = without(best_.diagnosis.blamed, other.diagnosis.blamed);
@@ -317,8 +269,15 @@ class Explainer {
                 }
                 finding.involved.insert(finding.involved.end(), suspect.figures.begin(), suspect.figures.end());
             }
-            finding.alternatives.push_back(fmt::format("Instead: {}.", fmt::join(parts, "; ")));
+            const std::string instead = fmt::format("{}", fmt::join(parts, "; "));
+            finding.alternatives.push_back(fmt::format("Instead: {}.", instead));
+            if (other.improbability < best_.improbability + as_likely) equal.push_back(instead);
         }
+        if (equal.empty() || finding.blamed.empty()) return;
+        const bool more = equal.size() > most_named;
+        equal.resize(std::min(equal.size(), most_named));
+        finding.statement +=
+            fmt::format(" As likely, instead {}{}.", fmt::join(equal, ", or "), more ? ", or one of others" : "");
     }
 
     const PublishedTables& tables_;
@@ -331,6 +290,26 @@ class Explainer {
 };
 
 }  // namespace
+
+std::string in_words(Range range) {
+    const std::string low = fmt::format("{:.7g}", range.low);
+    const std::string high = fmt::format("{:.7g}", range.high);
+    return low == high ? low : low + " to " + high;
+}
+
+std::vector<std::size_t> figures_behind(const ExperimentModel& model, const Constraint& constraint) {
+    if (constraint.suspect && constraint.relation != Relation::reciprocity)
+        return model.system.suspects[*constraint.suspect].figures;
+    std::vector<std::size_t> figures;
+    if (constraint.relation == Relation::plausibility) return figures;
+    for (const FigureLink& link : model.links) {
+        if (!link.quantity || model.system.constraints[link.constraint].kind != ConstraintKind::linear) continue;
+        const bool part = std::any_of(constraint.terms.begin(), constraint.terms.end(),
+                                      [&](const Term& term) { return term.variable == link.quantity->variable; });
+        if (part) figures.push_back(link.figure);
+    }
+    return figures;
+}
 
 std::string quote(const PublishedTables& tables, std::size_t figure) {
     return fmt::format("{} (\"{}\")", describe(tables, figure), tables.figures[figure].printed);

@@ -16,6 +16,12 @@ std::vector<Finding> explain_diagnosis(const PublishedTables& tables, const Scen
                                        const Interpretation& interpretation,
                                        const std::vector<JudgedDiagnosis>& diagnoses);
 
+/// "0.19902" or "0.19902 to 0.19903".
+std::string in_words(Range range);
+
+/// Figures that a constraint is about: its own, or all prints of its variables.
+std::vector<std::size_t> figures_behind(const ExperimentModel& model, const Constraint& constraint);
+
 /// A figure's place and digits, e.g. `table4, Σ of face 3, SR ("0.97264")`.
 std::string quote(const PublishedTables& tables, std::size_t figure);
 

@@ -40,8 +40,10 @@ FormatEvidence weigh_format(std::span<const SampledFigure> figures, NumberFormat
         const double rays = static_cast<double>(figure.rays);
         const auto range = printed_range(figure.number, format);
         const auto hits = range ? possible_hits(*range, figure.rays) : std::nullopt;
-        // A print is as likely as the number of hit counts that give it, or a misprint: any string of its length.
-        const double explained = hits ? static_cast<double>(hits->count()) : 0.0;
+        // A print is as likely as the number of hit counts that give it, or a misprint: any string of its length. Zeros
+        // behind the last digit of the format were appended, which makes it no likelier.
+        const double distinct = std::max(1.0, rays * std::pow(10.0, -figure.number.decimals));
+        const double explained = hits ? std::min(static_cast<double>(hits->count()), distinct) : 0.0;
         const double any = rays * std::pow(10.0, -std::max(figure.number.decimals, format.digits));
         evidence.log_likelihood += std::log((1 - misprint_share) * explained + misprint_share * any);
         const double chance = rays * printed_unit(figure.number.value(), format);
@@ -57,7 +59,7 @@ FormatEvidence weigh_format(std::span<const SampledFigure> figures, NumberFormat
 
 std::vector<FormatEvidence> weigh_formats(std::span<const SampledFigure> figures, int digits) {
     std::vector<FormatEvidence> all;
-    for (const Layout layout : {Layout::significant_digits, Layout::fixed_decimals}) {
+    for (const Layout layout : {Layout::fixed_decimals, Layout::significant_digits}) {
         for (const Rounding rounding : {Rounding::rounded, Rounding::truncated}) {
             all.push_back(weigh_format(figures, {rounding, layout, digits}));
         }

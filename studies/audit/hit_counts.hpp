@@ -13,6 +13,9 @@ namespace ff::studies::audit {
 /// Share of the published figures that are taken to be misprinted.
 inline constexpr double misprint_share = 0.02;
 
+/// Odds from which the audit contradicts what a publication says.
+inline constexpr double refuting_odds = 1e4;
+
 /// Whole numbers from `low` to `high`.
 struct HitRange {
     std::int64_t low = 0;
@@ -43,7 +46,8 @@ struct FormatEvidence {
 /// Evidence for one format. @pre rays >= 1 in all figures
 FormatEvidence weigh_format(std::span<const SampledFigure> figures, NumberFormat format);
 
-/// Rounded and truncated, each to `digits` decimals and to `digits` significant digits; the likeliest first.
+/// Rounded and truncated, each to `digits` decimals and to `digits` significant digits; the likeliest first, decimals
+/// where nothing tells.
 std::vector<FormatEvidence> weigh_formats(std::span<const SampledFigure> figures, int digits);
 
 }  // namespace ff::studies::audit

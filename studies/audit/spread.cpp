@@ -62,9 +62,10 @@ ReadingEvidence weigh_reading(const PublishedTables& tables, const SceneFacts& f
                 log_likelihood(*expected, number->value(), hits ? static_cast<std::size_t>(hits->count()) : 0,
                                unit * static_cast<double>(rays));
             sampled.push_back({*number, rays});
-            values.push_back({f, number->value()});
+            values.push_back({f, range.value_or(Range{number->value(), number->value()})});
         }
-        reading.spread.push_back(distribution ? weigh_spread(tables, facts, *distribution, values) : std::nullopt);
+        reading.spread.push_back(distribution ? weigh_spread(tables, facts, *distribution, rays, values)
+                                              : std::nullopt);
     }
     reading.hits = weigh_format(sampled, format);
     return reading;
@@ -73,7 +74,9 @@ ReadingEvidence weigh_reading(const PublishedTables& tables, const SceneFacts& f
 }  // namespace
 
 std::optional<JointDistance> weigh_spread(const PublishedTables& tables, const SceneFacts& facts,
-                                          const SrDistribution& distribution, std::span<const SampledValue> values) {
+                                          const SrDistribution& distribution, std::uint64_t rays,
+                                          std::span<const SampledValue> values) {
+    constexpr double fewest_hits = 4;
     const bool pairs = std::any_of(values.begin(), values.end(), [&](const SampledValue& v) {
         return tables.figures[v.figure].kind == FigureKind::form_factor;
     });
@@ -82,28 +85,35 @@ std::optional<JointDistance> weigh_spread(const PublishedTables& tables, const S
     for (const SampledValue& v : values) {
         const Figure& figure = tables.figures[v.figure];
         if ((figure.kind == FigureKind::form_factor) != pairs) continue;
+        const double sigma = expectation(facts, distribution, figure)->sigma;
+        if (sigma > 0 && sigma * static_cast<double>(rays) < fewest_hits) continue;
         of_position.try_emplace(position(facts, figure), v);
     }
     const auto n = static_cast<Index>(of_position.size());
     Eigen::MatrixXd part(n, n);
     std::vector<double> deviations;
+    Eigen::VectorXd room(n);
     JointDistance spread;
     Index i = 0;
     for (const auto& [row, value] : of_position) {
         Index j = 0;
         for (const auto& [column, other] : of_position) part(i, j++) = covariance(row, column);
-        ++i;
-        deviations.push_back(value.value - expectation(facts, distribution, tables.figures[value.figure])->mean);
+        room(i++) = 0.5 * std::max(0.0, value.values.high - value.values.low);
+        deviations.push_back(value.values.middle() -
+                             expectation(facts, distribution, tables.figures[value.figure])->mean);
         spread.figures.push_back(value.figure);
     }
     if (deviations.empty()) return std::nullopt;
     const auto form = stats::combine_deviations(deviations, part, 1e-6);
     if (!form || form->chi_squared.freedom == 0) return std::nullopt;
     spread.chi_squared = form->chi_squared;
-    spread.too_far = form->chi_squared.p;
+    // The triangle inequality bounds how far the values can be from their middles.
+    const double distance = std::sqrt(form->chi_squared.statistic);
+    const double reach = std::sqrt(room.dot(form->inverse.cwiseAbs() * room));
+    const double half_freedom = 0.5 * static_cast<double>(form->chi_squared.freedom);
+    spread.too_far = boost::math::gamma_q(half_freedom, 0.5 * std::pow(std::max(0.0, distance - reach), 2));
     // From its own tail: 1 - p loses it where the values are too close.
-    spread.too_close =
-        boost::math::gamma_p(0.5 * static_cast<double>(form->chi_squared.freedom), 0.5 * form->chi_squared.statistic);
+    spread.too_close = boost::math::gamma_p(half_freedom, 0.5 * std::pow(distance + reach, 2));
     return spread;
 }
 

@@ -14,23 +14,27 @@
 
 namespace ff::studies::audit {
 
-/// A published value of a sampling method with its quantity.
+/// A published value of a sampling method: all that its digits allow.
 struct SampledValue {
     std::size_t figure = 0;
-    double value = 0;
+    Range values;
 };
 
-/// The joint distance of Monte Carlo values from the truth, relative to their exact covariance.
+/// The joint distance of Monte Carlo values from the truth, relative to their exact covariance. Digits that are not
+/// printed may be any, so the probabilities are those of the nearest and of the farthest values that the prints may
+/// stand for.
 struct JointDistance {
-    stats::ChiSquared chi_squared;
-    double too_far = 1;    ///< P(at least as far)
-    double too_close = 1;  ///< P(at least as close)
+    stats::ChiSquared chi_squared;  ///< of the middles
+    double too_far = 1;             ///< P(at least as far) is at most this, wherever in their ranges the values lie
+    double too_close = 1;           ///< the same for P(at least as close)
     std::vector<std::size_t> figures;
 };
 
-/// Uses pairs if there are any, otherwise row sums; each quantity once. Empty where nothing can vary.
+/// Uses pairs if there are any, otherwise row sums; each quantity once, and none that varies by less than four hits,
+/// as rare hits are not normally distributed. Empty where nothing can vary.
 std::optional<JointDistance> weigh_spread(const PublishedTables& tables, const SceneFacts& facts,
-                                          const SrDistribution& distribution, std::span<const SampledValue> values);
+                                          const SrDistribution& distribution, std::uint64_t rays,
+                                          std::span<const SampledValue> values);
 
 /// An interpretation of a table's columns, judged by its figures.
 struct ReadingEvidence {
@@ -43,8 +47,6 @@ struct ReadingEvidence {
     double log_odds = 0;                                 ///< natural, against the likeliest reading of the table
     bool refuted = false;                                ///< less likely than the best one by more than `refuting_odds`
 };
-
-inline constexpr double refuting_odds = 1e4;
 
 /// All readings of every table that has some, beginning with the columns' own ("as the columns say"). The model: a
 /// figure is a whole number of hits from the exact normal distribution, or, with probability 1/50, a misprint.

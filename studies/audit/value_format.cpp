@@ -1,6 +1,8 @@
 #include "studies/audit/value_format.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace ff::studies::audit {
 namespace {
@@ -23,9 +25,15 @@ InferredFormat sampled_format(const PublishedTables& tables, const std::string& 
                                     *figure.samples_per_patch * figure.patches_per_face};
         (has_readings(tables, figure.table) ? uncertain : figures).push_back(sampled);
     }
-    InferredFormat finding{.method = method, .format = {}, .evidence = {}};
+    InferredFormat finding{.method = method, .format = {}, .candidates = {}, .evidence = {}};
     finding.evidence = weigh_formats(figures.empty() ? uncertain : figures, tables.decimals);
-    finding.format = finding.evidence.front().format;
+    for (const FormatEvidence& evidence : finding.evidence) finding.candidates.push_back(evidence.format);
+    const double best = finding.evidence.front().log_likelihood;
+    const auto chosen = std::find_if(finding.evidence.begin(), finding.evidence.end(), [&](const FormatEvidence& e) {
+        return e.format.rounding == stated_rounding(tables).value_or(e.format.rounding);
+    });
+    finding.format =
+        best - chosen->log_likelihood > std::log(refuting_odds) ? finding.candidates.front() : chosen->format;
     return finding;
 }
 
@@ -43,11 +51,25 @@ InferredFormat deterministic_format(const PublishedTables& tables, const std::st
     }
     NumberFormat format{Rounding::rounded, Layout::fixed_decimals, most};
     if (most != least && fits_significant) format = significant;
-    if (tables.rule == PrintingRule::truncated) format.rounding = Rounding::truncated;
-    return {.method = method, .format = format, .evidence = {}};
+    NumberFormat other = format;
+    other.rounding = Rounding::truncated;
+    if (stated_rounding(tables) == Rounding::truncated) std::swap(format, other);
+    return {.method = method, .format = format, .candidates = {format, other}, .evidence = {}};
 }
 
 }  // namespace
+
+std::optional<Rounding> stated_rounding(const PublishedTables& tables) {
+    switch (tables.rule) {
+        case PrintingRule::rounded:
+            return Rounding::rounded;
+        case PrintingRule::truncated:
+            return Rounding::truncated;
+        case PrintingRule::unstated:
+            break;
+    }
+    return std::nullopt;
+}
 
 InferredFormat infer_format(const PublishedTables& tables, const std::string& method) {
     const auto& sampling = tables.sampling_methods;

@@ -3,6 +3,7 @@
 #include "studies/audit/hit_counts.hpp"
 #include "studies/published/published.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,12 +13,17 @@ namespace ff::studies::audit {
 struct InferredFormat {
     std::string method;
     NumberFormat format;
-    std::vector<FormatEvidence> evidence;  ///< sampling methods only; the likeliest first
+    std::vector<NumberFormat> candidates;  ///< formats that it may be, the likeliest by itself first
+    std::vector<FormatEvidence> evidence;  ///< of the candidates; sampling methods only
 };
 
-/// For a sampling method, the format in which most figures are whole numbers of hits; tables with several readings
-/// count only where there are no others. For a deterministic one, fixed decimals, unless the figures' lengths vary as
-/// with significant digits; rounded or truncated as the publication says.
+/// How the publication says that digits are dropped; empty where it does not.
+std::optional<Rounding> stated_rounding(const PublishedTables& tables);
+
+/// What the figures of a method tell one by one. For a sampling method, formats are the likelier the more figures are
+/// whole numbers of hits in them; tables with several readings count only where there are no others. A deterministic
+/// one has fixed decimals, unless the figures' lengths vary as with significant digits. The first candidate is chosen,
+/// but one that is not rounded or truncated as stated only where the odds for it are overwhelming.
 /// @pre the method has figures in the tables
 InferredFormat infer_format(const PublishedTables& tables, const std::string& method);
 

@@ -58,6 +58,32 @@ TEST(Diagnose, FindsTwoIndependentErrors) {
     EXPECT_THAT(found.front().blamed, ElementsAre(3u, 6u));
 }
 
+TEST(Diagnose, NamesACandidateWhereTheFewestCausesCannotBeProven) {
+    // No three of 36 figures can be right together, so that all but two are wrong.
+    ConstraintSystem system;
+    constexpr std::size_t figures = 36;
+    for (std::size_t s = 0; s < figures; ++s) system.suspects.push_back({.figures = {s}, .assumption = {}});
+    for (std::size_t k = 0; k + 2 < figures; ++k) {
+        for (std::size_t j = k + 1; j + 1 < figures; ++j) {
+            for (std::size_t i = j + 1; i < figures; ++i) {
+                const std::size_t first = system.variables.size();
+                for (int n = 0; n < 3; ++n) system.variables.push_back({{0, 1}, {}});
+                std::size_t n = first;
+                for (const std::size_t s : {k, j, i})
+                    system.constraints.push_back({.terms = {{n++, 1}}, .values = {1, 1}, .suspect = s});
+                system.constraints.push_back({.relation = Relation::row_sum,
+                                              .terms = {{first, 1}, {first + 1, 1}, {first + 2, 1}},
+                                              .values = {0, 2},
+                                              .suspect = {}});
+            }
+        }
+    }
+    const auto found = diagnose(system);
+    ASSERT_THAT(found, SizeIs(1));
+    EXPECT_THAT(found.front().blamed, SizeIs(figures - 2));
+    EXPECT_FALSE(found.front().proven);
+}
+
 TEST(FindConflict, IsMinimal) {
     const ConstraintSystem system = sum_of_three(1, 2, 3, 7);
     EXPECT_THAT(find_conflict(system, Blame(4, false)), ElementsAre(0u, 1u, 2u, 3u));

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "studies/audit/audit.hpp"
+#include "studies/audit/experiment.hpp"
+#include "studies/audit/experiment_model.hpp"
+#include "studies/audit/references.hpp"
+#include "studies/audit/scene_facts.hpp"
+#include "studies/audit/spread.hpp"
+#include "studies/audit/value_format.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ff::studies::audit {
+
+/// What experiments are judged by.
+struct Judgement {
+    const PublishedTables& tables;
+    const SceneFacts& facts;
+    DistributionCache& cache;
+    const ReferenceInference& references;
+    double z_limit = 0;       ///< of single Monte Carlo values
+    double spread_level = 0;  ///< of the chi-squared test of an experiment, either way
+};
+
+/// Whether chi-squared finds the values too far from, or too close to, the exact ones.
+bool is_implausible(const JointDistance& spread, double level);
+
+/// Possible values of an experiment's pairs and sums by the ranges of its model's variables.
+std::vector<SampledValue> values_within(const ExperimentModel& model, const std::vector<Range>& ranges);
+
+/// The candidate in which the fewest causes explain all contradictions of a method's experiments, the likeliest by
+/// itself of several. One that is not rounded or truncated as stated must save so many misprints
+/// that the odds for it are overwhelming.
+/// @param experiments  those of the method
+NumberFormat choose_format(const Judgement& judgement, std::span<const Experiment> experiments,
+                           const InferredFormat& inferred);
+
+/// Does the publication print a method's figures as it says? Empty where it does, or does not say.
+std::optional<Finding> judge_printing_rule(const PublishedTables& tables, const InferredFormat& inferred);
+
+}  // namespace ff::studies::audit
