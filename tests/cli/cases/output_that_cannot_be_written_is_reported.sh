@@ -12,7 +12,9 @@ for arguments in "list samplers" "--help" "--version" "run $folder/study.toml --
 done
 
 # So is a pipe that nobody reads any more.
-exec {pipe}> >(:)
+mkfifo "$folder/pipe"
+true <"$folder/pipe" &
+exec {pipe}>"$folder/pipe"
 wait $!
 for arguments in "list samplers" "run $folder/study.toml --out a"; do
     command_line="ffstudy $arguments | true" status=0
