@@ -238,12 +238,14 @@ void add_orientation(const Scene& scene, SceneDoubts& doubts) {
     const bool leaks = scene.closed && lost > 0;
     const std::vector<std::size_t> turned = known ? turned_faces(probes, scene.closed) : std::vector<std::size_t>();
     if (!turned.empty()) {
-        const std::string ends = fmt::format("{} of {} end on backs{}", counted(from_backs, "ray"), rays,
-                                             leaks ? fmt::format(", {} meet nothing", lost) : "");
+        std::vector<std::string> ends;
+        if (from_backs > 0) ends.push_back(fmt::format("{} end on backs", from_backs));
+        if (leaks) ends.push_back(fmt::format("{} meet nothing", lost));
         (scene.closed ? doubts.faults : doubts.notes)
-            .push_back(fmt::format("{}: {} {} to face the wrong way ({}; with {} turned round, hardly any would). {}",
-                                   name, names(scene, turned), turned.size() == 1 ? "seems" : "seem", ends,
-                                   turned.size() == 1 ? "it" : "them", how_to_turn(scene, turned.size())));
+            .push_back(fmt::format(
+                "{}: {} {} to face the wrong way (of {} rays, {}; with {} turned round, hardly any would). {}", name,
+                names(scene, turned), turned.size() == 1 ? "seems" : "seem", rays, fmt::join(ends, " and "),
+                turned.size() == 1 ? "it" : "them", how_to_turn(scene, turned.size())));
         return;
     }
     if (leaks) {
