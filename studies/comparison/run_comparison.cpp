@@ -5,8 +5,8 @@
 #include "stats/error_rates/multiplicity.hpp"
 #include "stats/error_rates/power.hpp"
 #include "stats/means/mean_test.hpp"
+#include "studies/analysis/pair_spreads.hpp"
 #include "studies/comparison/face_difference.hpp"
-#include "studies/comparison/pair_spreads.hpp"
 #include "studies/comparison/rivals.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "studies/comparison/pair_spreads.hpp"
+#include "studies/analysis/pair_spreads.hpp"
 
 #include "stats/basics/distributions.hpp"
 #include "stats/basics/quantiles.hpp"

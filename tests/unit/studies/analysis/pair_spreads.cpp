@@ -1,4 +1,4 @@
-#include "studies/comparison/pair_spreads.hpp"
+#include "studies/analysis/pair_spreads.hpp"
 
 #include "tests/support/statistical_assertions.hpp"
 
