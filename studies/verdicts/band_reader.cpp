@@ -79,7 +79,9 @@ Band read_band(const TomlReader& reader, const Gate& gate) {
             return read_ratio(reader, numbers, true);
         case GateKind::distribution: {
             const double width = read_width(reader, numbers, "0.05");
-            if (width >= 1) reader.fail("band", "(no two distributions are further apart than 1). Try 0.05.");
+            if (width >= 1)
+                reader.fail("band",
+                            "(expected below 1, from which on any distribution of values would pass). Try 0.05.");
             return {0, width};
         }
         case GateKind::lost_rays:

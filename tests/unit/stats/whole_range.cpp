@@ -15,7 +15,6 @@
 #include "stats/variances/spread.hpp"
 #include "stats/variances/tail_index.hpp"
 #include "stats/variances/variance_interval.hpp"
-#include "stats/variances/variance_test.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -178,7 +177,6 @@ RC_GTEST_PROP(WholeRange, TwoFilesAreCompared, ()) {
     const std::vector<double> a = *files();
     const std::vector<double> b = *files();
     if (const auto mean = difference_of_means(a, b)) expect_p(test_mean(*mean).p);
-    if (const auto test = test_variances_brown_forsythe(a, b)) expect_p(test->p);
 }
 
 RC_GTEST_PROP(WholeRange, PowersAreProbabilities, ()) {

@@ -1,6 +1,6 @@
 #include "tests/unit/samplers/nets/scrambling.hpp"
 
-#include "stats/variances/variance_test.hpp"
+#include "stats/variances/spread.hpp"
 #include "tests/support/statistical_assertions.hpp"
 
 #include <cmath>
@@ -46,7 +46,11 @@ testing::AssertionResult has_mean(const std::vector<double>& estimates, const In
 }
 
 bool have_same_variance(const std::vector<double>& a, const std::vector<double>& b) {
-    return stats::test_variances_brown_forsythe(a, b).value().p > scrambling_alpha;
+    const auto spread = [](const std::vector<double>& values) {
+        return stats::mean_square_of(stats::moments_of(values, values.front())).value();
+    };
+    const stats::Interval ratio = stats::ratio_interval(spread(a), spread(b), 1 - scrambling_alpha);
+    return ratio.low < 1 && 1 < ratio.high;
 }
 
 }  // namespace ff::test

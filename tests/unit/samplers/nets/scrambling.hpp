@@ -38,9 +38,9 @@ std::vector<double> scrambled_estimates(Fill fill, const Integral& integral, std
 /// Estimates scatter around the value: a bias of 1 % is noticed, a false alarm is one in 10^6.
 testing::AssertionResult has_mean(const std::vector<double>& estimates, const Integral& integral);
 
-/// The variances of two samples agree (Brown-Forsythe): a false alarm is one in 10^6. With 1000 roughly normal
-/// estimates, variances that differ by a factor of 1.7 are noticed with probability above .99 (the logarithm of their
-/// ratio has standard deviation .063; 4.9 + 2.3 of them are a factor of 1.58).
+/// The variances of two samples agree (by their ratio, with the kurtosis of the estimates): a false alarm is one in
+/// 10^6. With 1000 roughly normal estimates, variances that differ by a factor of 1.7 are noticed with probability
+/// above .99 (the logarithm of their ratio has standard deviation .063; 4.9 + 2.3 of them are a factor of 1.58).
 bool have_same_variance(const std::vector<double>& a, const std::vector<double>& b);
 
 }  // namespace ff::test
