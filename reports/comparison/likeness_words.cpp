@@ -50,7 +50,7 @@ std::string detectable_in_words(const CellComparison& cell, const studies::Detec
     if (detectable.pairs == 0) return "nothing";
     std::string words = fmt::format("{}{}", before, brief(detectable.size, 2));
     const bool everywhere = detectable.pairs == cell.pairs - cell.untestable;
-    return everywhere ? words : words + fmt::format(" on {} of them", counted(detectable.pairs, "pair"));
+    return everywhere ? words : words + fmt::format(" on {} of the pairs", detectable.pairs);
 }
 
 std::string independent_in_words(const RunComparison& comparison, const CellComparison& cell) {
@@ -77,7 +77,8 @@ std::string independent_in_words(const RunComparison& comparison, const CellComp
                                      ? std::string()
                                      : fmt::format(" on {} of {} pairs, {} on the others", cell.pairs - cell.untestable,
                                                    cell.pairs, why_untested(cell));
-    return fmt::format("no difference found{} (would detect {} in a mean, {} in a standard deviation)", untested,
+    return fmt::format("{}{} (would detect {} in a mean, {} in a standard deviation)",
+                       cell.likeness == Likeness::alike ? "no difference found" : "inconclusive", untested,
                        detectable_in_words(cell, cell.difference, ""),
                        detectable_in_words(cell, cell.ratio, "a factor "));
 }
@@ -90,7 +91,7 @@ TableCell likeness_in_words(const RunComparison& comparison, const CellCompariso
                                                              : Mark::open;
     switch (cell.basis) {
         case Basis::independent:
-            if (cell.likeness == Likeness::untestable) return {"no test: " + why_untested(cell), mark};
+            if (!cell.mean) return {"no test: " + why_untested(cell), mark};
             return {independent_in_words(comparison, cell), mark};
         case Basis::same_random_numbers:
             if (cell.likeness == Likeness::untestable) return {"same random numbers, no trial in both", mark};

@@ -21,9 +21,10 @@ std::string bias_line(const studies::Analysis& findings) {
     if (tally.found[studies::BiasFinding::untestable] == tally.sampled)
         return fmt::format("- Bias: not tested in any of {} sampled methods and sizes.{}\n", tally.sampled, lost);
     std::string out = fmt::format(
-        "- Bias: {}none found in {} of {} sampled methods and sizes ({:g} % over all of them)",
+        "- Bias: {}none found in {} of {} sampled methods and sizes{} ({:g} % over all of them)",
         biased > 0 ? fmt::format("found in {}, ", biased) : "", tally.found[studies::BiasFinding::no_bias_found],
-        tally.sampled, 100 * (1 - findings.plan.spec.level));
+        tally.sampled, tally.partly > 0 ? fmt::format(", in {} of them on a part of the pairs", tally.partly) : "",
+        100 * (1 - findings.plan.spec.level));
     if (const auto margin = findings.plan.spec.equivalence_margin) {
         out += fmt::format("; a bias within ±{} is shown on every pair of {}", brief(*margin, 2), tally.shown);
     }

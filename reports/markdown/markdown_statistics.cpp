@@ -127,11 +127,12 @@ std::string bias_section(const studies::StudyResults& results) {
             tables += t_table(results.findings, scene, completion);
     }
     if (tables.empty()) return out;
-    return out + fmt::format(
-                     "<details><summary>t of every pair and row sum</summary>\n\n{}No t where the value never varies "
-                     "(closure fixes the sum), where there are too few hits, and under infinite variance (pairs that "
-                     "touch, with the area kernel).\n\n</details>\n\n",
-                     tables);
+    return out +
+           fmt::format(
+               "<details><summary>t of every pair and row sum</summary>\n\n{}No t where the value never varies "
+               "(closure fixes the sum), where there are too few hits or the trials are too skewed, and under infinite "
+               "variance (pairs that touch, with the area kernel).\n\n</details>\n\n",
+               tables);
 }
 
 std::string reproduction_section(const studies::StudyResults& results) {

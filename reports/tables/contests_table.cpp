@@ -95,7 +95,9 @@ Table side_by_side(const studies::StudyResults& results, bool timed) {
     for (const Equal equal : shown(timed)) {
         auto contests = studies::main_contests(results.contests, equal);
         if (contests.empty()) continue;
-        table.columns.push_back({std::string(in_words(equal)), false, ""});
+        table.columns.push_back(
+            {fmt::format("relative {} at {}", equal == Equal::error ? "evaluations" : "MSE", in_words(equal)), false,
+             ""});
         columns.push_back(std::move(contests));
     }
     if (columns.empty()) return table;

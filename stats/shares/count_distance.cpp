@@ -208,7 +208,8 @@ Interval distance_interval(const CountDistance& found, double level) {
         distance(last_value(found.statistic, [&](double lambda) { return tail(found, lambda, true) < alpha; }));
     CountDistance larger = found;
     const double root = std::sqrt(found.statistic + found.empty) + std::sqrt(found.lattice);
-    larger.statistic = root * root;
+    // A better fit than the same distribution gives on average is luck, which shows no smaller distance.
+    larger.statistic = std::max(root * root, found.freedom);
     interval.high =
         distance(last_value(larger.statistic, [&](double lambda) { return tail(larger, lambda, false) > alpha; }));
     return interval;

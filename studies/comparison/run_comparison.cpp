@@ -227,6 +227,11 @@ void judge_cells(const std::vector<Test>& tests, RunComparison& comparison) {
         if (cell.likeness == Likeness::untestable) cell.likeness = Likeness::alike;
         if (adjusted[i] < alpha) cell.likeness = Likeness::different;
     }
+    for (CellComparison& cell : comparison.cells) {
+        const bool could_differ = cell.difference.pairs > 0 && cell.ratio.pairs > 0;
+        const bool is_open = cell.basis == Basis::independent && cell.likeness == Likeness::alike && !could_differ;
+        if (is_open) cell.likeness = Likeness::untestable;
+    }
 }
 
 /// @throws UserError

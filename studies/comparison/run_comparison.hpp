@@ -41,6 +41,7 @@ struct Contrast {
     double adjusted_p = 1;  ///< Holm over all tests of the comparison
 };
 
+/// Runs are alike only where a difference of means and one of standard deviations would have been found.
 enum class Likeness { alike, different, untestable };
 
 /// Why a pair of two independent runs is not tested.

@@ -51,8 +51,10 @@ std::string MeasuredCosts::in_words() const {
         if (!is_known && of_cells_[i].trials > 0) add_to(sums[{cell.method, cell.samples_per_patch}], of_cells_[i]);
     }
     std::vector<std::string> costs;
-    for (const auto& [of, sum] : sums)
-        costs.push_back(fmt::format("{} at {}: {:.3g} s", plan_.spec.methods[of.first].name, of.second, sum.mean()));
+    for (const auto& [of, sum] : sums) {
+        const std::string size = of.second > 0 ? fmt::format(" at {}", of.second) : "";
+        costs.push_back(fmt::format("{}{}: {:.3g} s", plan_.spec.methods[of.first].name, size, sum.mean()));
+    }
     return fmt::format("{}", fmt::join(costs, ", "));
 }
 

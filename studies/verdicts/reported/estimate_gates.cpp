@@ -153,6 +153,15 @@ std::optional<Measurement> measurement_of(const Gate& gate, const ExaminedSeries
     return measure_spread(*spread, *logarithm, *gate.reference, gate.band, examined.levels);
 }
 
+/// What a mean outside of its band rests on: no rule excludes values that all trials have missed.
+std::string explained_by_unseen(const Gate& gate, const ExaminedSeries& examined, const Measurement& found) {
+    const double end = found.value < gate.band.low ? gate.band.low : gate.band.high;
+    const auto unseen = stats::unseen_value(*gate.reference + found.value, *gate.reference + end,
+                                            examined.series.values.size(), examined.levels.fail_alpha / 2);
+    return fmt::format("a value of {:.2g} would explain it if it occurred less often than once in {:.0f} trials",
+                       unseen.value, std::ceil(unseen.one_in));
+}
+
 /// What the measurement cannot say, in words.
 std::string missing(const Gate& gate, const ExaminedSeries& examined, const Comparison& row) {
     if (gate.kind == GateKind::distribution) {
@@ -170,6 +179,7 @@ std::string missing(const Gate& gate, const ExaminedSeries& examined, const Comp
     }
     if (!row.measurement) return examined.independence.correlation ? "their spread cannot be judged" : "no spread";
     const Measurement& m = *row.measurement;
+    if (gate.kind == GateKind::bias && row.verdict == Verdict::fail) return explained_by_unseen(gate, examined, m);
     if (row.verdict != Verdict::inconclusive || (m.passing.is_finite() && m.failing.is_finite())) return {};
     const auto moments = stats::moments_of(examined.series.values, *gate.reference);
     const auto found = gate.kind == GateKind::std ? moments.excess_kurtosis() : moments.skewness();
@@ -251,8 +261,10 @@ Independence examine_independence(const EstimateSeries& series, const std::strin
     const double effective = static_cast<double>(series.values.size()) / correlation.time;
     found.correlation = correlation;
     if (!found.note.empty()) found.note += "; ";
-    found.note += fmt::format("trials are serially correlated (lag 1: {:.2g}, p = {:.1g}): {} are worth {:.0f}",
-                              test->first, test->p, series.values.size(), effective);
+    found.note += fmt::format(
+        "trials look serially correlated (lag 1: {:.2g}; lags 1 to {}: p = {:.1g}): {} are worth "
+        "{:.0f}",
+        test->first, test->lags, test->p, series.values.size(), effective);
     found.enough = effective >= fewest_effective;
     return found;
 }

@@ -89,6 +89,16 @@ TEST(CountDistance, IsUncertainForFewAgreeingEvents) {
     EXPECT_LT(distance_interval(*many, 0.9).high, 0.03);
 }
 
+// Their statistic is 0, below what equal distributions give except in one set of 60 events in 20.
+TEST(CountDistance, IsNoSmallerForCountsThatAgreeTooWell) {
+    const auto found = count_distance(std::vector<double>(10, 6), std::vector<double>(10, 0.1));
+    ASSERT_LT(found->statistic, found->freedom);
+    CountDistance usual = *found;
+    usual.statistic = usual.freedom;
+    EXPECT_GT(distance_interval(*found, 0.9).high, 0.25);
+    EXPECT_LE(distance_interval(*found, 0.9).high, distance_interval(usual, 0.9).high);
+}
+
 TEST(CountDistance, DetectableDistancesAreRejectedWithThePower) {
     auto found = count_distance(std::vector<double>{250, 250, 250, 250}, quarters);
     ASSERT_TRUE(found);

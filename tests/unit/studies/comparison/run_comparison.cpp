@@ -87,6 +87,17 @@ TEST(RunComparison, SaysWhyPairsAreNotTested) {
     EXPECT_THAT(constant.obstacles, testing::ElementsAre(Untested::no_spread));
 }
 
+TEST(RunComparison, IsInconclusiveWhereItCouldDetectNothing) {
+    const auto few = compare_runs(made("random", 1, 5), made("random", 2, 5));
+    const CellComparison& cell = few.cells.front();
+    EXPECT_LT(cell.untestable, cell.pairs);
+    EXPECT_EQ(cell.ratio.pairs, 0u);
+    EXPECT_EQ(few.count(Likeness::untestable), 1u);
+    const auto enough = compare_runs(made("random", 1, 60), made("random", 2, 60));
+    EXPECT_GT(enough.cells.front().ratio.pairs, 0u);
+    EXPECT_EQ(enough.count(Likeness::alike), 1u);
+}
+
 TEST(RunComparison, ComparesTheSameRandomNumbersToTheBit) {
     const auto equal = compare_runs(made("random", 1, 60), made("random", 1, 40));
     EXPECT_EQ(equal.cells.front().basis, Basis::same_random_numbers);
