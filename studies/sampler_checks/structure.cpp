@@ -73,6 +73,22 @@ bool fills_shifted_slices(std::span<const std::uint32_t> row) {
     return most - least < std::int64_t{1} << 32;
 }
 
+/// In how many slices more than n every point has one for itself, up to 4; 0 where in none.
+std::uint64_t free_slices(std::span<const std::uint32_t> row) {
+    constexpr std::uint64_t most = 4;
+    for (std::uint64_t more = 1; more <= most; ++more) {
+        std::vector<bool> taken(row.size() + more, false);
+        const auto takes = [&](std::uint32_t value) {
+            const std::uint64_t slice = value * taken.size() >> 32;
+            const bool is_free = !taken[slice];
+            taken[slice] = true;
+            return is_free;
+        };
+        if (std::all_of(row.begin(), row.end(), takes)) return more;
+    }
+    return 0;
+}
+
 }  // namespace
 
 samplers::PointSet projection(const samplers::PointSet& set, std::uint64_t which,
@@ -116,6 +132,7 @@ SetStructure structure_of(const samplers::PointSet& set, std::uint64_t which, st
             found.coordinates.emplace_back(coordinate_structure(first_with_value(set.row(which, d))));
         coordinate.repeats_as =
             static_cast<std::size_t>(std::find(repeats.begin(), repeats.end(), repeats.back()) - repeats.begin());
+        coordinate.free_slices = free_slices(set.row(which, d));
         coordinate.fills_shifted = fills_shifted_slices(set.row(which, d));
         coordinate.single_slices = count_singles(projection(set, which, {d}), 0, set.points);
     }

@@ -15,6 +15,7 @@ struct CoordinateStructure {
     std::uint64_t runs = 0;           ///< runs of successive points with the same value
     std::size_t repeats_as = 0;       ///< the first coordinate with the same runs
     std::uint64_t single_slices = 0;  ///< slices that hold one point, of n equal ones
+    std::uint64_t free_slices = 0;    ///< 1 to 4, where no two points share one of n + so many slices; else 0
     bool fills_shifted = false;       ///< n slices that begin elsewhere than at 0 hold a point each; n <= 2^16
 };
 

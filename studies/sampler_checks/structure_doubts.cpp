@@ -82,6 +82,25 @@ std::optional<SamplerCheck> shifted_slices(const StructureEvidence& evidence) {
                                     n, evidence.sets.size() - whole, evidence.sets.size())};
 }
 
+/// In every set no two points share a slice of a few more than n, in any coordinate: independent points are so with a
+/// probability below 1e-10 of 32 points and 36 slices.
+std::optional<SamplerCheck> part_of_latin(const StructureEvidence& evidence) {
+    const std::uint64_t n = evidence.drawn.points;
+    if (!is_telling_size(n, evidence.drawn.dimension)) return std::nullopt;
+    const std::uint64_t more = evidence.sets.front().coordinates.front().free_slices;
+    const bool are_all_alike = std::all_of(evidence.sets.begin(), evidence.sets.end(), [&](const SetStructure& set) {
+        return std::all_of(set.coordinates.begin(), set.coordinates.end(), [&](const CoordinateStructure& one) {
+            return one.free_slices == more && one.single_slices < n;  // grids have a free slice more, too
+        });
+    });
+    if (more == 0 || !are_all_alike) return std::nullopt;
+    return SamplerCheck{
+        "nearly a Latin hypercube", evidence.randomised ? SamplerVerdict::inconclusive : SamplerVerdict::note,
+        fmt::format("no two points share one of {} slices of any coordinate, as in a Latin hypercube of {} points of "
+                    "which {} left out",
+                    n + more, n + more, more == 1 ? "1 was" : fmt::format("{} were", more))};
+}
+
 /// Two points share one of n slices less often than independent ones do, and numbers of points in wide slices vary
 /// less, too. A set of which a part is stratified and the rest random has both in the same ratio. Where all points are
 /// spread by one rule, some wide slices are filled far more evenly (in the catalogue, from 32 points on, 0.6 of the
@@ -132,6 +151,7 @@ std::optional<SamplerCheck> shifted_net(const StructureEvidence& evidence) {
 std::vector<SamplerCheck> doubt_structure(const StructureEvidence& evidence) {
     std::vector<SamplerCheck> doubts;
     if (auto doubt = nearly_latin(evidence)) doubts.push_back(std::move(*doubt));
+    if (auto doubt = part_of_latin(evidence)) doubts.push_back(std::move(*doubt));
     if (!evidence.randomised) return doubts;
     if (auto doubt = shifted_slices(evidence)) doubts.push_back(std::move(*doubt));
     if (doubts.empty() && evidence.drawn.points >= least_points) {

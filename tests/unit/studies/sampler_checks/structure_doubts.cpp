@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 // Seeds are fixed. A sound sampler is doubted with a probability of 1e-6 at most in each check of it; a broken one of
 // those below is missed with a probability below 0.01, which only the half-random Latin hypercube comes near.
@@ -103,6 +104,21 @@ TEST(StructureDoubts, FindTheFirstPointDropped) {
         doubts_of([](auto n, auto d, auto& random) { return test::net_rows(n, d, random, 1, true); }, 64, 2);
     ASSERT_THAT(doubts, SizeIs(1));
     EXPECT_THAT(doubts.front(), HasSubstr("62 of 64 slices of coordinate 1 have one point; 100 of 100 sets"));
+}
+
+// Of hypercubes of up to four points more; one of five more is beyond what the check looks for.
+TEST(StructureDoubts, FindPointsLeftOutOfALargerLatinHypercube) {
+    for (std::size_t more = 1; more <= 5; ++more) {
+        const auto doubts = doubts_of(
+            [more](auto n, auto d, auto& random) {
+                auto rows = test::latin_rows(n + more, d, random);
+                rows.resize(n);
+                return rows;
+            },
+            100, 3);
+        ASSERT_THAT(doubts, SizeIs(more <= 4 ? 1 : 0)) << more;
+        if (more <= 4) EXPECT_THAT(doubts.front(), HasSubstr("a Latin hypercube of 10" + std::to_string(more)));
+    }
 }
 
 TEST(StructureDoubts, FindAPermutationThatLeavesOutASlice) {
