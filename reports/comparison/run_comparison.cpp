@@ -83,11 +83,20 @@ Table cells_table(const RunComparison& comparison) {
     return table;
 }
 
-/// A value of a study file, or that it is too long to show, as the text of a scene is.
-std::string shown(const std::string& value) {
+/// A value of a study file: of a long one what lies around the first difference, of the text of a scene its length.
+std::string shown(const std::string& value, const std::string& other) {
     constexpr std::size_t longest = 60;
+    constexpr std::size_t before = 20;
     if (value.empty()) return "–";
-    return value.size() > longest ? fmt::format("{} characters", value.size()) : value;
+    if (value.size() <= longest) return value;
+    if (value.find('\n') != std::string::npos) return fmt::format("{} characters", value.size());
+    const auto is_within_character = [&](std::size_t at) { return at < value.size() && (value[at] & 0xc0) == 0x80; };
+    const auto same = std::mismatch(value.begin(), value.end(), other.begin(), other.end()).first - value.begin();
+    std::size_t begin = std::max(static_cast<std::size_t>(same), before) - before;
+    std::size_t end = std::min(begin + longest, value.size());
+    while (begin > 0 && is_within_character(begin)) --begin;
+    while (is_within_character(end)) ++end;
+    return fmt::format("{}{}{}", begin > 0 ? "…" : "", value.substr(begin, end - begin), end < value.size() ? "…" : "");
 }
 
 Table differences_table(const RunComparison& comparison) {
@@ -99,8 +108,10 @@ Table differences_table(const RunComparison& comparison) {
         {},
         {}};
     for (const auto& [place, key, first, second] : comparison.differences) {
-        table.rows.push_back(
-            {{place, Mark::none}, {key, Mark::none}, {shown(first), Mark::none}, {shown(second), Mark::none}});
+        table.rows.push_back({{place, Mark::none},
+                              {key, Mark::none},
+                              {shown(first, second), Mark::none},
+                              {shown(second, first), Mark::none}});
     }
     return table;
 }
