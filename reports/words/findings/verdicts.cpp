@@ -147,7 +147,7 @@ BiasTally tally_of(const studies::Analysis& findings) {
         ++tally.sampled;
         ++tally.found[found.bias_finding];
         const bool is_clear = found.bias_finding == studies::BiasFinding::no_bias_found;
-        tally.partly += is_clear && found.bias->untestable > 0 ? 1 : 0;
+        tally.partly += is_clear && found.bias->untestable > 0 ? 1u : 0u;
         tally.shown += found.equivalence == studies::EquivalenceFinding::shown ? 1 : 0;
         tally.detectable = std::max(tally.detectable, found.bias->minimum_detectable_bias);
     }
