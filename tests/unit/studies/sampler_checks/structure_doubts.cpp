@@ -117,7 +117,8 @@ TEST(StructureDoubts, FindPointsLeftOutOfALargerLatinHypercube) {
             },
             100, 3);
         ASSERT_THAT(doubts, SizeIs(more <= 4 ? 1 : 0)) << more;
-        if (more <= 4) EXPECT_THAT(doubts.front(), HasSubstr("a Latin hypercube of 10" + std::to_string(more)));
+        if (doubts.empty()) continue;
+        EXPECT_THAT(doubts.front(), HasSubstr("a Latin hypercube of 10" + std::to_string(more)));
     }
 }
 
