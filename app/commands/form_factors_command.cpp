@@ -114,7 +114,7 @@ void hand_on_files(OutputFolder& folder, const studies::form_factors::KeptMatrix
 void write_matrix_files(OutputFolder& folder, const studies::form_factors::KeptMatrix& kept, bool text) {
     folder.replace(matrix_store_file, [&](const auto& file) { studies::form_factors::save_matrix(file, kept); });
     const reports::FormFactorReport report{kept.scene, kept.request, kept.matrix};
-    const auto& [scene, request, matrix] = report;
+    const studies::form_factors::Matrix& matrix = kept.matrix;
     const MatrixFiles files(folder, kept, text);
     if (files.has_text())
         folder.write("matrix.csv", [&](std::ostream& out) { reports::write_form_factors_csv(out, report); });

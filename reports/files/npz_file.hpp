@@ -34,7 +34,7 @@ class NpzFile {
     std::uint64_t size_ = 0;
     std::uint16_t files_ = 0;
 
-    void add_file(std::string_view name, const std::string& content);
+    void add_file(std::string_view array, const std::string& content);
     void put(std::string_view bytes);
 };
 

@@ -42,7 +42,7 @@ struct Sensor {
 
 /// @throws UserError where the normal has no direction
 Sensor sensor_of(const std::array<double, 6>& numbers, std::string_view where) {
-    const Sensor sensor{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
+    Sensor sensor{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
     if (sensor.normal.stableNorm() > 0) return sensor;
     throw UserError(fmt::format("{}: its normal is 0 (it faces nowhere). Write a direction, such as 0,0,1.", where));
 }
