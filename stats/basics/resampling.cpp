@@ -2,7 +2,6 @@
 
 #include "core/support/contract.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -48,6 +47,7 @@ std::vector<double> resampled_t(std::span<const double> values, std::size_t n, s
     const auto size = static_cast<double>(n);
     Draws draws(key, Resampling::bootstrap, 0);
     std::vector<double> found;
+    found.reserve(samples);
     for (std::size_t i = 0; i < samples; ++i) {
         double sum = 0;
         double squares = 0;
@@ -59,7 +59,6 @@ std::vector<double> resampled_t(std::span<const double> values, std::size_t n, s
         const double variance = (squares - sum * sum / size) / (size - 1);
         if (variance > 0) found.push_back(sum / std::sqrt(variance * size));
     }
-    std::sort(found.begin(), found.end());
     return found;
 }
 

@@ -35,8 +35,8 @@ class Draws {
 /// Fills `sample` with values drawn from `data` with replacement. @pre data not empty
 void resample(std::span<const double> data, Draws& draws, std::span<double> sample);
 
-/// Student's t of samples of n that are drawn from values less their mean, in ascending order: how it is distributed
-/// where nothing is biased and trials are like these values. Samples that are all equal are left out.
+/// Student's t of samples of n that are drawn from values less their mean: how it is distributed where nothing is
+/// biased and trials are like these values. Samples that are all equal are left out.
 std::vector<double> resampled_t(std::span<const double> values, std::size_t n, std::size_t samples, StreamKey key);
 
 /// The number of resamples and the key of their random numbers.

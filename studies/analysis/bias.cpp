@@ -136,6 +136,11 @@ bool withdraw_what_others_explain(const PairTester& tester, std::span<const Quan
     constexpr std::size_t most_samples = 200'000;
     constexpr std::size_t many_trials = 400;  // whose own skewness shows all that the others have
     const CellEstimates& estimates = tester.estimates;
+    const auto trials = estimates.trials();
+    const auto found_biased = [&](const std::optional<PairTest>& test) {
+        return test && test->mean && test->test.p < tester.pair_alpha;
+    };
+    if (trials == 0 || trials > many_trials || std::none_of(tests.begin(), tests.end(), found_biased)) return false;
     // Pairs may lean to either side: those that clearly lean downwards are mirrored. Normal trials seem to lean, too.
     const double clearly = 2 * stats::skewness_standard_error(estimates.trials()).value_or(0);
     std::vector<double> pooled;
@@ -146,17 +151,15 @@ bool withdraw_what_others_explain(const PairTester& tester, std::span<const Quan
         const bool leans_down = stats::moments_of(pair.values()).skewness().value_or(0) < -clearly;
         for (const double value : pair.values()) pooled.push_back(leans_down ? -value : value);
     }
-    const auto trials = estimates.trials();
-    if (pooled.empty() || trials == 0 || trials > many_trials) return false;
     const auto sound = stats::resampled_t(pooled, trials, std::min(most_samples, most_values / trials),
                                           derive_key(tester.plan.spec.seed, "bias|" + tester.cell().canonical));
     const double rare = tester.pair_alpha / 2 * static_cast<double>(sound.size());
     bool some = false;
     for (auto& test : tests) {
-        if (!test || !test->mean || test->test.p >= tester.pair_alpha) continue;
+        if (!found_biased(test)) continue;
         const double size = std::abs(test->t);
-        const auto below = std::upper_bound(sound.begin(), sound.end(), -size) - sound.begin();
-        const auto above = sound.end() - std::lower_bound(sound.begin(), sound.end(), size);
+        const auto below = std::count_if(sound.begin(), sound.end(), [size](double t) { return t <= -size; });
+        const auto above = std::count_if(sound.begin(), sound.end(), [size](double t) { return t >= size; });
         if (static_cast<double>(std::max(below, above)) <= rare) continue;
         withdraw(*test);
         some = true;

@@ -24,7 +24,7 @@ constexpr std::uint32_t most_trials = 2048;
 std::uint64_t samples(const EstimatorInfo& info) {
     switch (info.points) {
         case PointsServe::pairs:
-            return 256;
+            return 64;
         case PointsServe::patches:
             return 1024;
         case PointsServe::scene:
@@ -35,11 +35,19 @@ std::uint64_t samples(const EstimatorInfo& info) {
     return 0;
 }
 
-/// Number of points for an estimator that makes its own points: the least that it takes, from 10 000 on, or from 200 on
-/// where the points serve a pair of patches. 0 for other estimators.
-std::uint64_t own_points(const EstimatorEntry& estimator) {
+/// How fine an estimator is that makes its own points.
+struct Fineness {
+    std::uint64_t points;  ///< at least, where they do not serve a pair of patches
+    std::uint32_t grid;    ///< patches along an edge of a face, there
+};
+constexpr Fineness fine{10'000, 8};
+constexpr Fineness coarse{1000, 2};
+
+/// Number of points for an estimator that makes its own points: the least that it takes, from `least` on, or from 200
+/// on where the points serve a pair of patches. 0 for other estimators.
+std::uint64_t own_points(const EstimatorEntry& estimator, std::uint64_t least) {
     if (!estimator.info.own_points) return 0;
-    std::uint64_t size = estimator.info.points == PointsServe::pairs ? 200 : 10'000;
+    std::uint64_t size = estimator.info.points == PointsServe::pairs ? 200 : least;
     while (!estimator.size_problem(size).empty()) ++size;
     return size;
 }
@@ -47,11 +55,11 @@ std::uint64_t own_points(const EstimatorEntry& estimator) {
 /// An estimator on a scene, with points of its own.
 class Ready {
   public:
-    Ready(const EstimatorEntry& entry, Scene scene)
+    Ready(const EstimatorEntry& entry, Scene scene, Fineness own = fine)
         : scene_(std::move(scene)),
           estimator_(entry.make(scene_, TracerChoice::automatic)),
-          samples_(own_points(entry)),
-          grid_{entry.info.own_points && entry.info.points != PointsServe::pairs ? 8u : 2u} {
+          samples_(own_points(entry, own.points)),
+          grid_{entry.info.own_points && entry.info.points != PointsServe::pairs ? own.grid : 2u} {
         if (entry.info.takes_points())
             points_ =
                 samplers::find(samplers::yardstick().name).make({samples(entry.info), entry.info.dimension, 0, 0});
@@ -132,7 +140,7 @@ AssertionResult depends_on_its_task(const EstimatorEntry& estimator) {
     for (const std::string_view name : configuration_scene_names()) {
         const Scene scene = *configuration_scene(name);
         if (!estimator.refusal({}, scene).empty()) continue;
-        const Ready ready(estimator, scene);
+        const Ready ready(estimator, scene, coarse);
         const Eigen::MatrixXd estimates = ready.trial(3);
         if (ready.trial(3) != estimates) return AssertionFailure() << "the same trial differs in scene " << name;
         trials_differ = trials_differ || ready.trial(4) != estimates;

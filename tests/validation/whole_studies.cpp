@@ -127,7 +127,7 @@ std::vector<StudySpec> smallest_cells(const StudySpec& spec) {
 // Risks: of each cell and number of trials, false alarm 1e-4. A rate of .05 of all together fails with probability .05
 // from 6000 studies on, one of .04 with 1e-8; one of .06 passes with probability .05.
 TEST(WholeStudies, SeldomCallCellsOfBuiltInStudiesBiased) {
-    const bool nightly = test::repetitions(0, 1) == 1;
+    const bool nightly = test::is_nightly();
     std::set<StudySpec> seen;
     stats::Proportion all;
     for (const auto& file : std::filesystem::directory_iterator(FF_BUILT_IN_STUDIES)) {

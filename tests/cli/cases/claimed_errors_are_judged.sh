@@ -17,9 +17,9 @@ for i in range(1, 7):
         factor = 0.19982489569838738 if i + j == 7 else 0.20004377607540315
         print(f"{i},{j},{factor + rng.gauss(0, 1e-3)!r}" + (f",{claim}" if kind != "none" else ""))
 END
-# study KIND [LINE...]: 200 trials of it.
+# study KIND [LINE...]: 60 trials of it.
 study() {
-    printf '%s\n' '[study]' "name = \"$1\"" 'scene = "cube"' 'trials = 200' 'seed = 1' '[[method]]' 'name = "mine"' \
+    printf '%s\n' '[study]' "name = \"$1\"" 'scene = "cube"' 'trials = 60' 'seed = 1' '[[method]]' 'name = "mine"' \
         "estimator = \"command:/usr/bin/python3 -IS claims.py {toml} {seed} $1\"" "${@:2}" >study.toml
     ffstudy run study.toml --out "out_$1" --replace
 }
@@ -63,7 +63,7 @@ trap 'rm -rf "$out"' EXIT
 echo from,to,estimate,error
 awk -F, 'NR > 1 {print $1 "," $2 "," $3 "," $6}' "$out/m/matrix.csv"
 END
-printf '%s\n' '[study]' 'name = "intervals"' 'scene = "squares_blocked:0.5"' 'trials = 40' 'seed = 1' '[[method]]' \
+printf '%s\n' '[study]' 'name = "intervals"' 'scene = "squares_blocked:0.5"' 'trials = 20' 'seed = 1' '[[method]]' \
     'name = "ffstudy"' "estimator = \"command:/bin/bash intervals.sh $program {toml} {trial}\"" 'claimed_level = 0.95' >study.toml
 ffstudy run study.toml --out out_intervals
 finding intervals not_refuted

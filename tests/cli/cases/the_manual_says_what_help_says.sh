@@ -5,7 +5,7 @@ source "$(dirname "$0")/../harness.sh"
 
 ffstudy man_pages manual
 expect_status 0
-page() { sed 's/\\-/-/g; s/\\&//g' "manual/$1.1"; }
+sed -i 's/\\-/-/g; s/\\&//g' manual/*
 
 # offered WORD...: what completion offers in place of the last word.
 offered() {
@@ -15,42 +15,39 @@ offered() {
     cut -f1 "$folder/stdout" >"$folder/offered"
 }
 expect_offered() { grep -Fqxe "$1" "$folder/offered" || fail "expected to be offered: $1"; }
-expect_as_many_as() { [ "$(grep -vc '^:' "$folder/offered")" -eq "$(wc -l <"$1")" ] || fail "expected no more than in $1"; }
+# expect_in NAMES FILE WHERE: every line of NAMES is one of FILE. expect_offered_are NAMES: these are offered, and nothing else.
+expect_in() { ! grep -Fxvf "$2" "$1" >&2 || fail "expected in $3"; }
+expect_offered_are() { diff <(sort "$1") <(grep -v '^:' "$folder/offered" | sort) >&2 || fail "expected to be offered: $1"; }
 
 ffstudy --help
 sed '1,/^Everyday:/d' "$folder/stdout" | sed -nE 's/^  ([a-z_0-9-]+) .*/\1/p' >"$folder/commands"
 [ "$(wc -l <"$folder/commands")" -ge 20 ] || fail "expected the commands"
 ! grep -Eq '^(complete|man_pages)$' "$folder/commands" || fail "expected no hidden command"
 offered ""
-expect_as_many_as "$folder/commands"
+expect_offered_are "$folder/commands"
+sed -nE 's/^\.BR ffstudy-([a-z_0-9-]+).*/\1/p' manual/ffstudy.1 >"$folder/pages"
+expect_in "$folder/commands" "$folder/pages" ffstudy.1
 [ "$(ls manual | wc -l)" -eq $(($(wc -l <"$folder/commands") + 1)) ] || fail "expected a page for each command"
 while read -r command; do
-    offered "$command"
-    expect_offered "$command"
-    page ffstudy | grep -Fq "ffstudy-$command" || fail "expected in ffstudy.1: $command"
     ffstudy "$command" --help
     ! grep -Ew TEXT "$folder/stdout" || fail "expected every value to have a name"
     grep -oE '^  (-[a-zA-Z],)?--[a-z-]+' "$folder/stdout" | grep -oE -e '--.*' >"$folder/options"
     sed -nE '/^Positionals:/,/^$/s/^  ([A-Z]+).*/\1/p' "$folder/stdout" >"$folder/arguments"
     offered "$command" --
-    expect_as_many_as "$folder/options"
-    while read -r option; do
-        expect_offered "$option"
-        page "ffstudy-$command" | grep -Eq "^\.BR \"(-[a-zA-Z],)?$option\"" || fail "expected in ffstudy-$command.1: $option"
-    done <"$folder/options"
-    while read -r argument; do
-        page "ffstudy-$command" | grep -Fq ".BR \"$argument\"" || fail "expected in ffstudy-$command.1: $argument"
-    done <"$folder/arguments"
+    expect_offered_are "$folder/options"
+    sed -nE 's/^\.BR "(-[a-zA-Z],)?(--)?([a-zA-Z-]+)".*/\2\3/p' "manual/ffstudy-$command.1" >"$folder/described"
+    cat "$folder/options" "$folder/arguments" >"$folder/wanted"
+    expect_in "$folder/wanted" "$folder/described" "ffstudy-$command.1"
 done <"$folder/commands"
 
 # The kinds are those that can be listed; help and completion name all of them, and every name of each.
 kinds=$("$program" list --help | sed -nE 's/^  KIND +//p; s/^ {30,}//p' | tr -d , | tr '\n' ' ')
+offered explain ""
 for kind in $kinds; do
     ffstudy list "$kind"
     expect_status 0
     cut -d' ' -f1 "$folder/stdout" >"$folder/$kind"
-    offered explain ""
-    while read -r name; do expect_offered "$name"; done <"$folder/$kind"
+    expect_in "$folder/$kind" "$folder/offered" "what explain is offered"
 done
 offered list ""
 [ "$(sort "$folder/offered" | tr '\n' ' ')" = "$(tr ' ' '\n' <<<"$kinds" | sed '/^$/d' | sort | tr '\n' ' ')" ] ||

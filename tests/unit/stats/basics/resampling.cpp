@@ -67,7 +67,7 @@ TEST(ResampledT, IsStudentsTForNormalValuesAndSkewedForSkewedOnes) {
     for (double& value : normal) value = normal_critical(1 - draws.uniform());
     for (double& value : skewed) value = -std::log(1 - draws.uniform());
     const auto beyond = [](const std::vector<double>& found, double t) {
-        return static_cast<std::uint64_t>(found.end() - std::lower_bound(found.begin(), found.end(), t));
+        return static_cast<std::uint64_t>(std::count_if(found.begin(), found.end(), [t](double x) { return x >= t; }));
     };
     const auto even = resampled_t(normal, 20, 40'000, draws_key);
     EXPECT_TRUE(test::has_probability(beyond(even, 2.861), even.size(), 0.005, {.alpha = 1e-6, .detects = 0.003}));

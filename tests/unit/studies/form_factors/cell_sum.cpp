@@ -194,7 +194,7 @@ TEST(CellSum, AgreesWithThePlainWayInRandomScenes) {
     EXPECT_GT(compared.scenes, 20u);
     EXPECT_GT(compared.uncut, compared.scenes / 10);
     EXPECT_GT(compared.scenes - compared.uncut, compared.scenes / 10);
-    const double noticed = test::repetitions(1, 0) == 1 ? 0.2 : 0.01;
+    const double noticed = test::is_nightly() ? 0.01 : 0.2;
     EXPECT_TRUE(test::has_probability_at_most(compared.beyond, compared.scenes, 1e-3,
                                               {.alpha = 1e-4, .detects = noticed, .power = 0.9}));
     EXPECT_GT(compared.beyond_plain, compared.scenes / 10) << "an error of 2 % of what is hidden is seen";
@@ -300,7 +300,7 @@ TEST(CellSum, AgreesWithThePlainWayOnRoundSources) {
         compared.beyond_plain += std::abs(1.02 * *plain.mean() - estimate.value) > room;
     }
     EXPECT_GT(compared.scenes, 20u);
-    const double noticed = test::repetitions(1, 0) == 1 ? 0.2 : 0.01;
+    const double noticed = test::is_nightly() ? 0.01 : 0.2;
     EXPECT_TRUE(test::has_probability_at_most(compared.beyond, compared.scenes, 1e-3,
                                               {.alpha = 1e-4, .detects = noticed, .power = 0.9}));
     EXPECT_GT(compared.beyond_plain, compared.scenes / 10) << "an error of 2 % is seen";

@@ -6,6 +6,7 @@
 #include "core/geometry/box.hpp"
 #include "core/support/error.hpp"
 #include "studies/form_factors/words.hpp"
+#include "tests/support/repetitions.hpp"
 #include "tests/support/statistical_assertions.hpp"
 
 #include <gmock/gmock.h>
@@ -135,13 +136,14 @@ TEST(FormFactors, AreBoundedByGeometryWhereThereWasNoTime) {
     EXPECT_EQ(unknown.exchange(0, 1).high, 1) << "not even that was looked at";
 }
 
-// The pilots' interval holds the exact value for at least 0.95 of 200 seeds; 0.85 would be noticed with probability
-// 0.99. Intervals of half the width are noticed.
+// The pilots' interval holds the exact value for at least 0.95 of the seeds; 0.7 would be noticed with probability
+// 0.99, and nightly 0.85. Intervals of half the width are noticed.
 TEST(FormFactors, HaveValidIntervalsWhenStopped) {
     const double exact = *known_form_factor(built_in_scene("squares_blocked"), 0, 1);
+    const std::uint64_t seeds = test::repetitions(60, 200);
     std::uint64_t held = 0;
     std::uint64_t held_by_halves = 0;
-    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         const Matrix matrix = stopped_in(Progress::Stage::rounds, request_within(1e-4, seed));
         ASSERT_TRUE(matrix.interrupted);
         const FaceExchange& pair = matrix.exchange(0, 1);
@@ -149,9 +151,9 @@ TEST(FormFactors, HaveValidIntervalsWhenStopped) {
         held += pair.low <= exact && exact <= pair.high;
         held_by_halves += std::abs(exact - pair.value) <= (pair.high - pair.low) / 4;
     }
-    const test::StatisticalRisk risk{.alpha = 1e-4, .detects = 0.1, .power = 0.99};
-    EXPECT_TRUE(test::has_probability_at_least(held, 200, 0.95, risk));
-    EXPECT_FALSE(test::has_probability_at_least(held_by_halves, 200, 0.95, risk));
+    const test::StatisticalRisk risk{.alpha = 1e-4, .detects = test::is_nightly() ? 0.1 : 0.25, .power = 0.99};
+    EXPECT_TRUE(test::has_probability_at_least(held, seeds, 0.95, risk));
+    EXPECT_FALSE(test::has_probability_at_least(held_by_halves, seeds, 0.95, risk));
 }
 
 TEST(FormFactors, ReportTheirProgress) {

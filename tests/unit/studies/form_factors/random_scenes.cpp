@@ -206,7 +206,7 @@ ComparedRooms compare_rooms(std::uint64_t seed, std::uint64_t rooms) {
 TEST(FormFactorsInRandomRooms, AgreeWithLines) {
     const ComparedRooms compared = compare_rooms(1, test::repetitions(25, 2000));
     EXPECT_GT(compared.pairs, 150u);
-    const double noticed = test::repetitions(1, 0) == 1 ? 0.05 : 0.002;
+    const double noticed = test::is_nightly() ? 0.002 : 0.05;
     EXPECT_TRUE(test::has_probability_at_most(compared.beyond, compared.pairs, 2e-4,
                                               {.alpha = 1e-4, .detects = noticed, .power = 0.9}));
     EXPECT_GT(compared.beyond_open, compared.pairs / 20) << "what stands in between is seen";

@@ -51,7 +51,7 @@ TEST(FacetCoverage, FindsIntervalsBesideTheValues) {
 // Intervals by cells and points are so cautious that a third of their width still is; rays are not. On every push some
 // 40 entries by rays would show a tenth of their width, nightly hundreds show a third.
 TEST(FacetCoverage, FindsIntervalsThatAreTooNarrow) {
-    const double shrink = test::repetitions(1, 0) == 1 ? 0.1 : 0.3;
+    const double shrink = test::is_nightly() ? 0.3 : 0.1;
     EXPECT_EQ(verdicts(coverage_of_facets(shrink, 0), "rays").first, ClaimVerdict::fails);
 }
 
