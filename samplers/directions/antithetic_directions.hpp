@@ -1,6 +1,6 @@
 #pragma once
 
-#include "samplers/random/random.hpp"
+#include "samplers/random/antithetic.hpp"
 
 namespace ff::samplers {
 
@@ -22,7 +22,13 @@ class AntitheticDirections {
     };
 
     explicit AntitheticDirections(const PointSetSpec& spec) : random_(spec) {}
-    void fill(const Stream& stream, PointIndex first, PointBlock& block) const;
+
+    void fill(const Stream& stream, PointIndex first, PointBlock& block) const {
+        constexpr std::uint32_t half_turn = 1u << 31;
+        const std::size_t azimuth = block.dimension - 1;
+        fill_in_pairs(random_, stream, first, block,
+                      [azimuth](std::size_t d, std::uint32_t x) { return d == azimuth ? x + half_turn : x; });
+    }
 
   private:
     Random random_;

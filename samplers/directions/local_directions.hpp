@@ -13,9 +13,6 @@ namespace ff::samplers {
 /// Rays from one sampled place in one set of directions.
 inline constexpr std::uint64_t local_directions = 12;
 
-/// The random numbers of a place: a stream of its own.
-Stream stream_of_place(const Stream& stream, std::uint64_t place);
-
 /// Sets of directions from sampled places: each origin, a Sobol' point, has a set of `Sampler` by itself. @see
 /// [jacques2015]
 template <class Sampler>
@@ -73,6 +70,12 @@ class LocalDirections {
     }
 
   private:
+    /// The random numbers of a place: a stream of its own.
+    static Stream stream_of_place(const Stream& stream, std::uint64_t place) {
+        const Words words = philox(stream, static_cast<std::uint32_t>(place), Purpose::engine);
+        return {.key = {words[0], words[1]}, .trial = stream.trial, .source = stream.source, .target = stream.target};
+    }
+
     Sobol origins_;
     Sampler directions_;
 };

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "samplers/sampler.hpp"
+#include "samplers/support/philox_block.hpp"
+#include "samplers/support/sizes.hpp"
 
 namespace ff::samplers {
 
@@ -23,8 +25,27 @@ class Stratified {
         .spread = Spread::grid,
     };
 
-    explicit Stratified(const PointSetSpec& spec);
-    void fill(const Stream& stream, PointIndex first, PointBlock& block) const;
+    explicit Stratified(const PointSetSpec& spec) : cells_a_side_(floor_root(spec.points, spec.dimension)) {}
+
+    void fill(const Stream& stream, PointIndex first, PointBlock& block) const {
+        philox_block(stream, Purpose::coordinates, first, block);
+        if (cells_a_side_ == 1) return;
+        const std::uint64_t width = reciprocal(cells_a_side_);  // of a cell, times 2^64
+        std::uint64_t repeats = 1;                              // consecutive points with the same digit d
+        for (std::size_t d = 0; d < block.dimension; ++d) {
+            std::uint64_t cell = first / repeats % cells_a_side_;
+            std::uint64_t left = repeats - first % repeats;
+            for (std::size_t i = 0; i < block.size; ++i) {
+                std::uint32_t& x = block.coordinate[d][i];
+                x = place_in_cell(cell, width, x);
+                if (--left == 0) {
+                    left = repeats;
+                    if (++cell == cells_a_side_) cell = 0;
+                }
+            }
+            repeats *= cells_a_side_;
+        }
+    }
 
   private:
     std::uint64_t cells_a_side_;

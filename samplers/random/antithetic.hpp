@@ -5,13 +5,28 @@
 #include "samplers/support/fixed_text.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 
 namespace ff::samplers {
 
-/// Writes points and their mirror images in turn: point i of `originals` becomes point 2 i, if `skip` is 0.
-/// @param skip  1 where the first point of `block` is a mirror image
-void mirror_points(const PointBlock& originals, std::size_t skip, PointBlock& block);
+/// Fills a block with points of a sampler, each followed by its partner: points 2k and 2k + 1 are made of its point k.
+/// @param partner  takes a number of a coordinate and the original's value there
+template <class Sampler, class Partner>
+void fill_in_pairs(const Sampler& sampler, const Stream& stream, PointIndex first, PointBlock& block, Partner partner) {
+    if (block.size == 0) return;
+    PointBlock originals;
+    originals.dimension = block.dimension;
+    originals.size = (first + block.size - 1) / 2 - first / 2 + 1;
+    sampler.fill(stream, first / 2, originals);
+    for (std::size_t d = 0; d < block.dimension; ++d) {
+        for (std::size_t i = 0; i < block.size; ++i) {
+            const std::size_t place = first % 2 + i;
+            const std::uint32_t original = originals.coordinate[d][place / 2];
+            block.coordinate[d][i] = place % 2 == 0 ? original : partner(d, original);
+        }
+    }
+}
 
 /// Any randomised equal-weight sampler in mirrored pairs: points 2k and 2k + 1 are point k of `Sampler` and its
 /// reflection in the centre of the cube. @see [hammersley1956]
@@ -54,12 +69,7 @@ class Antithetic {
     explicit Antithetic(PointSetSpec spec) : sampler_((spec.points = (spec.points + 1) / 2, spec)) {}
 
     void fill(const Stream& stream, PointIndex first, PointBlock& block) const {
-        if (block.size == 0) return;
-        PointBlock originals;
-        originals.dimension = block.dimension;
-        originals.size = (first + block.size - 1) / 2 - first / 2 + 1;
-        sampler_.fill(stream, first / 2, originals);
-        mirror_points(originals, first % 2, block);
+        fill_in_pairs(sampler_, stream, first, block, [](std::size_t /*d*/, std::uint32_t x) { return ~x; });
     }
 
   private:

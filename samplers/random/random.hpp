@@ -1,6 +1,7 @@
 #pragma once
 
 #include "samplers/sampler.hpp"
+#include "samplers/support/philox_block.hpp"
 
 namespace ff::samplers {
 
@@ -23,7 +24,10 @@ class Random {
     };
 
     explicit Random(const PointSetSpec& /*spec*/) {}
-    void fill(const Stream& stream, PointIndex first, PointBlock& block) const;
+
+    void fill(const Stream& stream, PointIndex first, PointBlock& block) const {
+        philox_block(stream, Purpose::coordinates, first, block);
+    }
 };
 
 }  // namespace ff::samplers

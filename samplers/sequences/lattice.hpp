@@ -1,6 +1,7 @@
 #pragma once
 
 #include "samplers/sampler.hpp"
+#include "samplers/support/owen_hash.hpp"
 
 #include <array>
 
@@ -35,7 +36,16 @@ class Lattice {
     static constexpr std::array<std::uint32_t, max_dimension> generating_vector{1, 6906571, 12751639, 4408903};
 
     explicit Lattice(const PointSetSpec& /*spec*/) {}
-    void fill(const Stream& stream, PointIndex first, PointBlock& block) const;
+
+    void fill(const Stream& stream, PointIndex first, PointBlock& block) const {
+        const Words shift = philox(stream, 0, Purpose::scramble);
+        for (std::size_t i = 0; i < block.size; ++i) {
+            const std::uint32_t radical_inverse = reverse_bits(static_cast<std::uint32_t>(first + i));
+            for (std::size_t d = 0; d < block.dimension; ++d) {
+                block.coordinate[d][i] = radical_inverse * generating_vector[d] + shift[d];
+            }
+        }
+    }
 };
 
 }  // namespace ff::samplers

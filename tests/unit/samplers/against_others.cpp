@@ -1,8 +1,8 @@
 // Unrandomised sequences beside those of other implementations, all packaged in Debian 12: scipy.stats.qmc 1.10,
 // OpenTURNS 1.20, GSL 2.7.
 
+#include "samplers/nets/boost_sequences.hpp"
 #include "samplers/nets/faure_digits.hpp"
-#include "samplers/nets/niederreiter.hpp"
 #include "samplers/nets/sobol_directions.hpp"
 #include "samplers/sequences/halton.hpp"
 #include "samplers/support/sizes.hpp"
