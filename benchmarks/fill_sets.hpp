@@ -4,8 +4,6 @@
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
-
 namespace ff {
 
 /// Fills a whole set block by block, with a new stream (and so a new randomisation) every time.
@@ -15,12 +13,10 @@ void fill_sets(benchmark::State& state, const PointSource& source) {
     Block block;
     for (auto _ : state) {
         ++stream.source;
-        for (PointIndex first = 0; first < source.points(); first += block.size) {
-            block.size = std::min<std::size_t>(block_capacity, source.points() - first);
-            source.fill(stream, first, block);
+        for_each_block(source, stream, 0, source.points(), block, [&](PointIndex) {
             benchmark::DoNotOptimize(block.coordinate[0][0]);
             benchmark::ClobberMemory();
-        }
+        });
     }
     state.counters["per_point"] =
         benchmark::Counter(static_cast<double>(source.points()),

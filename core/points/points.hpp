@@ -2,6 +2,7 @@
 
 #include "core/points/stream.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -55,8 +56,19 @@ class PointSource {
 
     /// Fills `block.size` points from `first` on. @pre equal_weights()
     virtual void fill(const Stream& stream, PointIndex first, PointBlock& block) const = 0;
-    /// As above in double precision, with weights. An equal-weight point is the centre of its 2^-32 cell.
-    virtual void fill(const Stream& stream, PointIndex first, WeightedBlock& block) const = 0;
+    /// As above in double precision, with weights. An equal-weight point is the centre of its 2^-32 cell: sources of
+    /// such points do with this implementation.
+    virtual void fill(const Stream& stream, PointIndex first, WeightedBlock& block) const {
+        PointBlock cells;
+        cells.dimension = block.dimension;
+        cells.size = block.size;
+        fill(stream, first, cells);
+        for (std::size_t d = 0; d < block.dimension; ++d) {
+            for (std::size_t i = 0; i < block.size; ++i)
+                block.coordinate[d][i] = (cells.coordinate[d][i] + 0.5) * 0x1p-32;
+        }
+        std::fill_n(block.weight.begin(), block.size, 1.0 / static_cast<double>(points()));
+    }
 
   protected:
     PointSource() = default;
@@ -65,5 +77,16 @@ class PointSource {
     PointSource(PointSource&&) = default;
     PointSource& operator=(PointSource&&) = default;
 };
+
+/// Fills a block again and again with `count` points from `first` on, and calls visit(index of its first point).
+template <class Block, class Visit>
+void for_each_block(const PointSource& points, const Stream& stream, PointIndex first, std::uint64_t count,
+                    Block& block, const Visit& visit) {
+    for (std::uint64_t done = 0; done < count; done += block.size) {
+        block.size = static_cast<std::size_t>(std::min<std::uint64_t>(block_capacity, count - done));
+        points.fill(stream, first + done, block);
+        visit(first + done);
+    }
+}
 
 }  // namespace ff

@@ -53,10 +53,7 @@ Eigen::MatrixXd shoot_patch_factors(const Scene& scene, Subdivision subdivision,
         for (std::uint32_t p = 0; p < grid.parts(); ++p) {
             const auto [source, first] = sequences.of(surface, p);
             const Stream stream{.key = key, .trial = trial, .source = source};
-            for (std::uint64_t done = 0; done < samples_per_patch; done += block->size) {
-                block->size =
-                    static_cast<std::size_t>(std::min<std::uint64_t>(block_capacity, samples_per_patch - done));
-                points.fill(stream, first + done, *block);
+            for_each_block(points, stream, first, samples_per_patch, *block, [&](PointIndex) {
                 hits.resize(block->size);
                 tracer.find_ends(where.surfaces[surface], surface, grid, p, *block, hits);
                 for (const Hit& hit : hits) {
@@ -64,7 +61,7 @@ Eigen::MatrixXd shoot_patch_factors(const Scene& scene, Subdivision subdivision,
                     const Grid of_target = subdivision.of(scene.surfaces[hit.surface]);
                     factors(rows.first(surface) + p, rows.first(hit.surface) + patch_of(hit, of_target)) += 1;
                 }
-            }
+            });
         }
     }
     return factors / static_cast<double>(samples_per_patch);

@@ -2,7 +2,6 @@
 
 #include "core/support/contract.hpp"
 #include "core/support/error.hpp"
-#include "samplers/support/entry.hpp"
 
 #include <fmt/format.h>
 
@@ -22,17 +21,10 @@ class OutsidePoints final : public PointSource {
     [[nodiscard]] bool randomised() const override { return randomised_; }
     [[nodiscard]] bool equal_weights() const override { return true; }
 
+    using PointSource::fill;
     void fill(const Stream& stream, PointIndex first, PointBlock& block) const override {
         FF_EXPECT(block.size <= block_capacity && first + block.size <= points_);
         fill_(request_of(stream, points_, block.dimension), first, block);
-    }
-
-    void fill(const Stream& stream, PointIndex first, WeightedBlock& block) const override {
-        PointBlock cells;
-        cells.dimension = block.dimension;
-        cells.size = block.size;
-        fill(stream, first, cells);
-        weigh_equally(cells, points_, block);
     }
 
   private:

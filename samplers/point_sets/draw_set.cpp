@@ -24,12 +24,10 @@ PointSet draw_set(const CatalogueEntry& sampler, const DrawnSet& wanted) {
     set.coordinate.resize(wanted.points * wanted.dimension);
     PointBlock block;
     block.dimension = wanted.dimension;
-    for (PointIndex first = 0; first < wanted.points; first += block.size) {
-        block.size = std::min<std::uint64_t>(block_capacity, wanted.points - first);
-        source->fill(stream, first, block);
+    for_each_block(*source, stream, 0, wanted.points, block, [&](PointIndex first) {
         for (std::size_t d = 0; d < wanted.dimension; ++d)
             std::copy_n(block.coordinate[d].begin(), block.size, &set.coordinate[d * wanted.points + first]);
-    }
+    });
     return set;
 }
 

@@ -1,7 +1,6 @@
 #include "samplers/point_sets/point_set.hpp"
 
 #include "core/support/contract.hpp"
-#include "samplers/support/entry.hpp"
 #include "samplers/support/owen_hash.hpp"
 
 #include <algorithm>
@@ -39,6 +38,7 @@ class SetPoints final : public PointSource {
     [[nodiscard]] bool randomised() const override { return how_ != Randomisation::none || set_->sets > 1; }
     [[nodiscard]] bool equal_weights() const override { return true; }
 
+    using PointSource::fill;
     void fill(const Stream& stream, PointIndex first, PointBlock& block) const override {
         FF_EXPECT(block.dimension <= set_->dimension && first + block.size <= points_);
         const std::uint64_t set = stream.trial % set_->sets;
@@ -47,14 +47,6 @@ class SetPoints final : public PointSource {
             std::copy(from.begin(), from.end(), block.coordinate[d].begin());
             randomise(how_, stream, d, std::span(block.coordinate[d]).first(block.size));
         }
-    }
-
-    void fill(const Stream& stream, PointIndex first, WeightedBlock& block) const override {
-        PointBlock cells;
-        cells.dimension = block.dimension;
-        cells.size = block.size;
-        fill(stream, first, cells);
-        weigh_equally(cells, points_, block);
     }
 
   private:

@@ -1,19 +1,8 @@
 #include "samplers/support/entry.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 namespace ff::samplers {
-
-void weigh_equally(const PointBlock& cells, std::uint64_t points, WeightedBlock& block) {
-    for (std::size_t d = 0; d < block.dimension; ++d) {
-        for (std::size_t i = 0; i < block.size; ++i) {
-            block.coordinate[d][i] = (cells.coordinate[d][i] + 0.5) * 0x1p-32;
-        }
-    }
-    std::fill_n(block.weight.begin(), block.size, 1.0 / static_cast<double>(points));
-}
 
 void require_size(const SamplerInfo& info, const PointSetSpec& spec) {
     if (spec.dimension < 1 || spec.dimension > info.most_dimension)

@@ -8,9 +8,6 @@
 
 namespace ff::samplers {
 
-/// Centres of 2^-32 cells, each of weight 1 / points.
-void weigh_equally(const PointBlock& cells, std::uint64_t points, WeightedBlock& block);
-
 /// The one way to make a sampler: a class with
 ///
 ///     static constexpr SamplerInfo info{...};
@@ -49,11 +46,7 @@ class ErasedSampler final : public PointSource {
     void fill(const Stream& stream, PointIndex first, WeightedBlock& block) const override {
         FF_EXPECT(block.size <= block_capacity && first + block.size <= points_);
         if constexpr (T::info.equal_weights) {
-            PointBlock cells;
-            cells.dimension = block.dimension;
-            cells.size = block.size;
-            sampler_.fill(stream, first, cells);
-            weigh_equally(cells, points_, block);
+            PointSource::fill(stream, first, block);
         } else {
             sampler_.fill(stream, first, block);
         }

@@ -13,18 +13,11 @@ class PhiloxPoints : public PointSource {
     [[nodiscard]] bool randomised() const override { return true; }
     [[nodiscard]] bool equal_weights() const override { return true; }
 
+    using PointSource::fill;
     void fill(const Stream& stream, PointIndex first, PointBlock& block) const override {
         for (std::size_t i = 0; i < block.size; ++i) {
             const Words words = philox(stream, static_cast<std::uint32_t>(first + i), Purpose::coordinates);
             for (std::size_t d = 0; d < max_dimension; ++d) block.coordinate[d][i] = words[d];
-        }
-    }
-
-    void fill(const Stream& stream, PointIndex first, WeightedBlock& block) const override {
-        for (std::size_t i = 0; i < block.size; ++i) {
-            const Words words = philox(stream, static_cast<std::uint32_t>(first + i), Purpose::coordinates);
-            for (std::size_t d = 0; d < max_dimension; ++d) block.coordinate[d][i] = (words[d] + 0.5) * 0x1p-32;
-            block.weight[i] = 1 / static_cast<double>(points_);
         }
     }
 

@@ -89,17 +89,6 @@ std::vector<SurfacePair> visible_pairs(const Scene& scene, const std::vector<Pat
     return result;
 }
 
-/// Blocks of the whole point set of one stream.
-template <class Visit>
-void for_each_block(const PointSource& points, const Stream& stream, WeightedBlock& block, Visit visit) {
-    const std::uint64_t count = points.points();
-    for (std::uint64_t first = 0; first < count; first += block.size) {
-        block.size = static_cast<std::size_t>(std::min<std::uint64_t>(block_capacity, count - first));
-        points.fill(stream, first, block);
-        visit();
-    }
-}
-
 Parallelogram patch_at(const PatchedSurface& divided, std::size_t patch) {
     return {divided.corners[patch], divided.shape.edge_u, divided.shape.edge_v};
 }
@@ -194,7 +183,7 @@ void sum_with_common_points(const PointSource& points, const Stream& stream, Poi
     std::vector<GradedPatches> graded;
     for (const SurfacePair& pair : pairs) graded.push_back(find_graded(pair, map));
     Offsets all;
-    for_each_block(points, stream, *block, [&] {
+    for_each_block(points, stream, 0, points.points(), *block, [&](PointIndex) {
         for (std::size_t k = 0; k < pairs.size(); ++k) {
             SurfacePair& pair = pairs[k];
             if (!pair.is_plain()) {
@@ -231,14 +220,14 @@ void sum_with_own_points(const PointSource& points, Stream stream, PointMap map,
             for (std::uint32_t j = 0; j < pair.to->patches(); ++j) {
                 stream.target = pair.to->first_patch + j + 1;
                 if (!pair.is_plain()) {
-                    for_each_block(points, stream, *block,
-                                   [&] { add_to_source(pair, i, transfer_in_sight(pair, i, j, *block)); });
+                    for_each_block(points, stream, 0, points.points(), *block,
+                                   [&](PointIndex) { add_to_source(pair, i, transfer_in_sight(pair, i, j, *block)); });
                     continue;
                 }
                 const Eigen::Vector3d offset = pair.to->corners[j] - pair.from->corners[i];
                 const auto graded =
                     map == PointMap::graded ? grade_pair(patch_at(*pair.from, i), patch_at(*pair.to, j)) : std::nullopt;
-                for_each_block(points, stream, *block, [&] {
+                for_each_block(points, stream, 0, points.points(), *block, [&](PointIndex) {
                     if (graded) {
                         add_to_source(pair, i, graded_transfer(*graded, pair.normals(), *block, *separations));
                     } else {

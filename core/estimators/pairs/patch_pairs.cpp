@@ -14,19 +14,6 @@
 namespace ff {
 namespace {
 
-/// One pair of patches with all its points.
-double sum_over_points(const PatchPair& pair, const PointSource& points, const Stream& stream, const PairSum& sum,
-                       WeightedBlock& block) {
-    double total = 0;
-    const std::uint64_t count = points.points();
-    for (std::uint64_t first = 0; first < count; first += block.size) {
-        block.size = static_cast<std::size_t>(std::min<std::uint64_t>(block_capacity, count - first));
-        points.fill(stream, first, block);
-        total += sum(pair, block);
-    }
-    return total;
-}
-
 PatchView view(const Surface& surface, const SurfaceMap& map, Grid grid, std::uint32_t patch) {
     return {&surface, &map, grid, patch % grid.columns, patch / grid.columns, area(surface.shape) / grid.parts()};
 }
@@ -82,7 +69,10 @@ Eigen::MatrixXd average_over_pairs(const Scene& scene, const EstimatorTask& task
     block->dimension = dimension;
     const auto value = [&](const PatchPair& pair, const Stream& stream) -> BoundedValue<double> {
         task.points->checkpoint();
-        return {sum_over_points(pair, *task.points, stream, sum, *block), 0};
+        double total = 0;
+        for_each_block(*task.points, stream, 0, task.points->points(), *block,
+                       [&](PointIndex) { total += sum(pair, *block); });
+        return {total, 0};
     };
     return average_pair_values(scene, task, value, pairs).factors;
 }

@@ -27,11 +27,9 @@ Eigen::MatrixXd average_over_sources(const Scene& scene, const EstimatorTask& ta
         for (std::uint32_t p = 0; p < grid.parts(); ++p) {
             const auto [of_stream, first] = sequences.of(s, p);
             const Stream stream{.key = task.key, .trial = task.trial, .source = of_stream};
-            for (std::uint64_t done = 0; done < task.samples; done += block->size) {
-                block->size = static_cast<std::size_t>(std::min<std::uint64_t>(block_capacity, task.samples - done));
-                task.points->fill(stream, first + done, *block);
+            for_each_block(*task.points, stream, first, task.samples, *block, [&](PointIndex) {
                 sum({s, grid, p}, *block, sums);
-            }
+            });
         }
         // The weights of a sequence add up to 1, whether it serves a patch or several.
         const double share = area(source.shape) / face_area(scene, source.face) / sequences.count(s);

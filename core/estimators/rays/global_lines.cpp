@@ -154,10 +154,8 @@ void GlobalLines::observe(const EstimatorTask& task, Outcome& outcome, PatchTota
     const double diagonal = box_.diagonal().norm();
     const double margin = 0x1p-10 * diagonal;
     const double length = diagonal + 2 * margin;
-    for (std::uint64_t done = 0; done < task.samples; done += block->size) {
+    for_each_block(*task.points, stream, 0, task.samples, *block, [&](PointIndex) {
         task.points->checkpoint();
-        block->size = static_cast<std::size_t>(std::min<std::uint64_t>(block_capacity, task.samples - done));
-        task.points->fill(stream, done, *block);
         for (std::size_t i = 0; i < block->size; ++i) {
             const Line line = line_through(box_, sides_, area_, margin, block->coordinate[0][i],
                                            block->coordinate[1][i], block->coordinate[2][i], block->coordinate[3][i]);
@@ -175,7 +173,7 @@ void GlobalLines::observe(const EstimatorTask& task, Outcome& outcome, PatchTota
                 exchanges(next.face, here.face) += block->weight[i];
             }
         }
-    }
+    });
     for (Eigen::Index face = 0; face < faces; ++face) {
         if (crossed[face] > 0) exchanges.row(face) /= crossed[face];
     }

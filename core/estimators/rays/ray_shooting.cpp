@@ -77,12 +77,8 @@ void ray_shooting(const Scene& scene, Subdivision subdivision, const Tracer& tra
             const auto [source, first] = sequences.of(surface, p);
             const Stream stream{.key = key, .trial = trial, .source = source};
             std::fill(patch_hits.begin(), patch_hits.end(), 0);
-            for (std::uint64_t done = 0; done < samples_per_patch; done += block.size) {
-                block.size =
-                    static_cast<std::size_t>(std::min<std::uint64_t>(block_capacity, samples_per_patch - done));
-                points.fill(stream, first + done, block);
-                tracer.shoot(surface, grid, p, block, patch_hits);
-            }
+            for_each_block(points, stream, first, samples_per_patch, block,
+                           [&](PointIndex) { tracer.shoot(surface, grid, p, block, patch_hits); });
             std::transform(patch_hits.begin(), patch_hits.end(), surface_hits.begin(), surface_hits.begin(),
                            std::plus<>());
             if (sums != nullptr) collect(patch_hits, order.first(surface) + p, *sums);
