@@ -1,8 +1,6 @@
 #include "core/estimators/rays/pixel_directions.hpp"
 
-#include "core/estimators/rays/cubic_tetrahedron.hpp"
-#include "core/estimators/rays/hemicube.hpp"
-#include "core/estimators/rays/single_plane.hpp"
+#include "core/estimators/rays/projections.hpp"
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"
 #include "tests/support/estimator_trials.hpp"
