@@ -23,11 +23,6 @@ Registry& registry() {
     return all;
 }
 
-/// A very rough guess of the processor time for an evaluation: what an added estimator computes, and how, is not known.
-double nanoseconds_of_others(const EstimatorOptions& /*options*/, const Scene& /*scene*/) {
-    return 1e3;
-}
-
 }  // namespace
 
 AddedEstimator::AddedEstimator(Texts texts, EstimatorInfo traits, Refusal refusal, Make make)
@@ -42,10 +37,11 @@ AddedEstimator::AddedEstimator(Texts texts, EstimatorInfo traits, Refusal refusa
         return general.empty() && refusal_ ? refusal_(scene) : general;
     };
     entry_.size_problem = [](std::uint64_t samples) { return std::string(samples == 0 ? "(none). Try 1024." : ""); };
-    entry_.nanoseconds = &nanoseconds_of_others;
+    // A very rough guess: what an added estimator computes, and how, is not known.
+    entry_.nanoseconds = [](const EstimatorOptions&, const Scene&) { return 1e3; };
     entry_.integrand = [](const EstimatorOptions&, PairClass, Hiding) { return std::optional<Integrand>(); };
     entry_.finite_variance = [](const EstimatorOptions&, const Scene&, int, int) { return true; };
-    entry_.largest_unmet = [](const EstimatorOptions&, const Scene&, int, int, double) { return 0.0; };
+    entry_.largest_unmet = [](const Scene&, int, int, double) { return 0.0; };
     entry_.make = [this](const Scene& scene, TracerChoice /*tracer*/) {
         Make known;
         {

@@ -15,10 +15,6 @@ std::string ClosedForm::refusal(const EstimatorOptions& /*options*/, const Scene
         scene.name, mirrors(scene).empty() ? "" : ", and in mirrors of boxes that are not opposite");
 }
 
-double ClosedForm::nanoseconds(const EstimatorOptions& /*options*/, const Scene& /*scene*/) {
-    return 1e6;
-}
-
 void ClosedForm::observe(const EstimatorTask& /*task*/, Outcome& outcome, PatchTotals& /*totals*/) const {
     const auto factors = exact_form_factors(*scene_);
     FF_EXPECT(factors);

@@ -20,10 +20,10 @@ class ClosedForm {
         .reference = "howell",
         .exact = true,
         .sees_reflections = true,
+        .nanoseconds = 1e6,
     };
 
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);
-    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
 
     ClosedForm(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;

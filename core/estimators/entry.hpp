@@ -9,7 +9,6 @@ namespace ff {
 /// The one way to make an estimator: a class with
 ///
 ///     static constexpr EstimatorInfo info{...};
-///     static double nanoseconds(const EstimatorOptions&, const Scene&);
 ///     T(const Scene&, TracerChoice);                                  // refusal() has been asked
 ///     void observe(const EstimatorTask&, Outcome&, PatchTotals&) const;
 ///
@@ -17,9 +16,10 @@ namespace ff {
 ///
 ///     static std::string refusal(const EstimatorOptions&, const Scene&);   // beyond what follows from `info`
 ///     static std::string size_problem(std::uint64_t samples); // required if own_points
-///     static std::optional<Integrand> integrand(const EstimatorOptions&, PairClass, Hiding);
+///     static double nanoseconds(const EstimatorOptions&, const Scene&);    // in place of what `info` says
+///     static std::optional<Integrand> integrand(const EstimatorOptions&, PairClass, Hiding);    // likewise
 ///     static bool finite_variance(const EstimatorOptions&, const Scene&, int from, int to);
-///     static double largest_unmet(const EstimatorOptions&, const Scene&, int from, int to, double evaluations);
+///     static double largest_unmet(const Scene&, int from, int to, double evaluations);
 ///
 /// `estimator_entry<T>()` turns it into a line of the catalogue.
 template <class T>
@@ -57,13 +57,21 @@ EstimatorEntry estimator_entry() {
                     return {};
                 }
             },
-            .nanoseconds = &T::nanoseconds,
+            .nanoseconds =
+                [](const EstimatorOptions& options, const Scene& scene) {
+                    if constexpr (requires { T::nanoseconds(options, scene); }) {
+                        return T::nanoseconds(options, scene);
+                    } else {
+                        static_assert(T::info.nanoseconds > 0);
+                        return T::info.nanoseconds;
+                    }
+                },
             .integrand = [](const EstimatorOptions& options, PairClass pair_class,
                             Hiding hiding) -> std::optional<Integrand> {
                 if constexpr (requires { T::integrand(options, pair_class, hiding); }) {
                     return T::integrand(options, pair_class, hiding);
                 } else {
-                    return std::nullopt;
+                    return pair_class == PairClass::adjacent ? T::info.integrands.adjacent : T::info.integrands.apart;
                 }
             },
             .finite_variance =
@@ -75,9 +83,9 @@ EstimatorEntry estimator_entry() {
                     }
                 },
             .largest_unmet =
-                [](const EstimatorOptions& options, const Scene& scene, int from, int to, double evaluations) {
-                    if constexpr (requires { T::largest_unmet(options, scene, from, to, evaluations); }) {
-                        return T::largest_unmet(options, scene, from, to, evaluations);
+                [](const Scene& scene, int from, int to, double evaluations) {
+                    if constexpr (requires { T::largest_unmet(scene, from, to, evaluations); }) {
+                        return T::largest_unmet(scene, from, to, evaluations);
                     } else {
                         return 0.0;
                     }

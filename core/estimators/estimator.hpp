@@ -47,6 +47,12 @@ enum class Integrand {
     unbounded,  ///< has an infinite variance, with tail index 3/2
 };
 
+/// The integrand on adjacent faces and on others; empty where theory says nothing.
+struct Integrands {
+    std::optional<Integrand> apart;
+    std::optional<Integrand> adjacent;
+};
+
 /// Whether something may stand between the faces of a pair.
 enum class Hiding { none, possible };
 
@@ -79,6 +85,8 @@ struct EstimatorInfo {
     /// Largest value of one evaluation, none being negative; infinite where none is known.
     double largest_value = std::numeric_limits<double>::infinity();
     std::string_view evaluations = "evaluations";  ///< what is counted as its work
+    double nanoseconds = 0;      ///< of an evaluation, where they do not depend on the scene: see EstimatorEntry
+    Integrands integrands = {};  ///< where they depend on nothing else
 
     [[nodiscard]] constexpr bool takes_points() const { return dimension > 0; }
     [[nodiscard]] constexpr bool has_allocation() const { return points == PointsServe::patches; }
@@ -170,7 +178,7 @@ struct EstimatorEntry {
     /// blocker begins, a ray just misses, little of one face is in front of the other, or a small surface is close to a
     /// large one. 0 where there are no such places or, for added estimators, where nothing is known of them; infinite
     /// where no bound is known.
-    double (*largest_unmet)(const EstimatorOptions& options, const Scene& scene, int from, int to, double evaluations);
+    double (*largest_unmet)(const Scene& scene, int from, int to, double evaluations);
 
     std::function<std::unique_ptr<Estimator>(const Scene& scene, TracerChoice tracer)> make;
 };

@@ -112,8 +112,7 @@ stats::KnownLimits known_limits(const Method& method, const Scene& scene, Subdiv
     const bool mirrored =
         !method.sampler.empty() && samplers::find(method.sampler).info.spread == samplers::Spread::mirrored;
     const double all = static_cast<double>(evaluations) * static_cast<double>(trials) / (mirrored ? 2 : 1);
-    limits.unmet = {.largest = terms * estimator.largest_unmet(estimator_options(method), scene, from, to, all),
-                    .evaluations = all};
+    limits.unmet = {.largest = terms * estimator.largest_unmet(scene, from, to, all), .evaluations = all};
     return limits;
 }
 

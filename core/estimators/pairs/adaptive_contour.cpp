@@ -128,10 +128,6 @@ std::string AdaptiveContour::size_problem(std::uint64_t samples) {
                        others);
 }
 
-double AdaptiveContour::nanoseconds(const EstimatorOptions& /*options*/, const Scene& /*scene*/) {
-    return 200.0;
-}
-
 void AdaptiveContour::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
     const std::uint64_t halvings = (task.samples - edges_of_rim * nodes) / (2 * nodes);
     const auto averages = average_pair_values(

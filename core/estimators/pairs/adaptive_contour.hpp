@@ -24,11 +24,11 @@ class AdaptiveContour {
         .reference = "piessens1983",
         .points = PointsServe::pairs,
         .own_points = true,
+        .nanoseconds = 200,
     };
 
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);
     static std::string size_problem(std::uint64_t samples);
-    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
 
     AdaptiveContour(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;

@@ -2,7 +2,6 @@
 
 #include "core/estimators/graded_map.hpp"
 #include "core/estimators/pairs/transfer.hpp"
-#include "core/estimators/unmet.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/patches/patch_order.hpp"
 #include "core/support/contract.hpp"
@@ -300,10 +299,6 @@ Eigen::MatrixXd area_kernel(const Scene& scene, Subdivision subdivision, const P
     return result;
 }
 
-double AreaKernel::nanoseconds(const EstimatorOptions& /*options*/, const Scene& /*scene*/) {
-    return 1.5;
-}
-
 std::optional<Integrand> AreaKernel::integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding) {
     if (pair_class == PairClass::adjacent) {
         return options.map == PointMap::graded && hiding == Hiding::none ? Integrand::rough : Integrand::unbounded;
@@ -313,11 +308,6 @@ std::optional<Integrand> AreaKernel::integrand(const EstimatorOptions& options, 
 
 bool AreaKernel::finite_variance(const EstimatorOptions& options, const Scene& scene, int from, int to) {
     return kernel_has_variance(scene, from, to, options.map);
-}
-
-double AreaKernel::largest_unmet(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to,
-                                 double evaluations) {
-    return largest_unmet_kernel(scene, from, to, evaluations);
 }
 
 void AreaKernel::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const {

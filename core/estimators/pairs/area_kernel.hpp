@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/estimators/estimator.hpp"
+#include "core/estimators/unmet.hpp"
 
 #include <Eigen/Core>
 
@@ -52,13 +53,12 @@ class AreaKernel {
         .has_map = true,
         .sees_occluders = true,
         .evaluations = "kernel values",
+        .nanoseconds = 1.5,
     };
 
-    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
     static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
     static bool finite_variance(const EstimatorOptions& options, const Scene& scene, int from, int to);
-    static double largest_unmet(const EstimatorOptions& options, const Scene& scene, int from, int to,
-                                double evaluations);
+    static constexpr auto largest_unmet = &largest_unmet_kernel;
 
     AreaKernel(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;

@@ -91,15 +91,6 @@ std::string Contour::refusal_for(std::string_view estimator, const EstimatorOpti
         estimator, scene.name);
 }
 
-double Contour::nanoseconds(const EstimatorOptions& /*options*/, const Scene& /*scene*/) {
-    return 200.0;
-}
-
-std::optional<Integrand> Contour::integrand(const EstimatorOptions& /*options*/, PairClass pair_class,
-                                            Hiding /*hiding*/) {
-    return pair_class == PairClass::adjacent ? Integrand::rough : Integrand::smooth;
-}
-
 void Contour::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
     outcome.estimates =
         average_over_pairs(*scene_, task, info.dimension, [](const PatchPair& pair, const WeightedBlock& block) {

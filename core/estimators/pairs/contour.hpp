@@ -24,13 +24,13 @@ class Contour {
         .reference = "sparrow1963",
         .dimension = 2,
         .points = PointsServe::pairs,
+        .nanoseconds = 200,
+        .integrands = {.apart = Integrand::smooth, .adjacent = Integrand::rough},
     };
 
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);
     /// As above, on behalf of another estimator that integrates along rims.
     static std::string refusal_for(std::string_view estimator, const EstimatorOptions& options, const Scene& scene);
-    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
-    static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
 
     Contour(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;

@@ -51,10 +51,6 @@ std::string ControlVariate::refusal(const EstimatorOptions& /*options*/, const S
     return refuse_curved_faces(info.name, scene);
 }
 
-double ControlVariate::nanoseconds(const EstimatorOptions& /*options*/, const Scene& /*scene*/) {
-    return 60.0;
-}
-
 std::optional<Integrand> ControlVariate::integrand(const EstimatorOptions& /*options*/, PairClass pair_class,
                                                    Hiding hiding) {
     if (hiding == Hiding::none) return std::nullopt;
@@ -65,8 +61,7 @@ bool ControlVariate::finite_variance(const EstimatorOptions& /*options*/, const 
     return closest_contact(scene, from, to) == Contact::none || !may_be_occluded(scene, from, to);
 }
 
-double ControlVariate::largest_unmet(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to,
-                                     double /*evaluations*/) {
+double ControlVariate::largest_unmet(const Scene& scene, int from, int to, double /*evaluations*/) {
     return may_be_occluded(scene, from, to) ? largest_kernel(scene, from, to) : 0;
 }
 

@@ -23,15 +23,14 @@ class ControlVariate {
         .dimension = 4,
         .points = PointsServe::pairs,
         .sees_occluders = true,
+        .nanoseconds = 60,
     };
 
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);
-    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
     /// The integrand jumps at the edge of a shadow; without a shadow there is no error.
     static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
     static bool finite_variance(const EstimatorOptions& options, const Scene& scene, int from, int to);
-    static double largest_unmet(const EstimatorOptions& options, const Scene& scene, int from, int to,
-                                double evaluations);
+    static double largest_unmet(const Scene& scene, int from, int to, double evaluations);
 
     ControlVariate(const Scene& scene, TracerChoice tracer);
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;

@@ -72,17 +72,7 @@ std::optional<Place> shoot(const PatchPair& pair, const SurfacePoint& from, doub
 
 }  // namespace
 
-double TwoWays::nanoseconds(const EstimatorOptions& /*options*/, const Scene& /*scene*/) {
-    return 100.0;
-}
-
-std::optional<Integrand> TwoWays::integrand(const EstimatorOptions& /*options*/, PairClass pair_class,
-                                            Hiding /*hiding*/) {
-    return pair_class == PairClass::adjacent ? Integrand::rough : Integrand::jumping;
-}
-
-double TwoWays::largest_unmet(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to,
-                              double evaluations) {
+double TwoWays::largest_unmet(const Scene& scene, int from, int to, double evaluations) {
     return largest_unmet_hit(scene, from, to, evaluations, RaysAndKernel::info.largest_value);
 }
 

@@ -10,15 +10,16 @@ enum class Heuristic {
     power,    ///< p^2 / (p^2 + q^2)
 };
 
+inline constexpr double nanoseconds_of_two_ways = 100;
+
+/// Rays jump where the target ends; where faces touch no theory holds.
+inline constexpr Integrands integrands_of_two_ways{.apart = Integrand::jumping, .adjacent = Integrand::rough};
+
 /// What the estimators of both heuristics have in common.
 class TwoWays {
   public:
-    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
-    /// Rays jump where the target ends; where faces touch no theory holds.
-    static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
     /// A ray counts almost 1 where it meets a target that is small from there.
-    static double largest_unmet(const EstimatorOptions& options, const Scene& scene, int from, int to,
-                                double evaluations);
+    static double largest_unmet(const Scene& scene, int from, int to, double evaluations);
 
     TwoWays(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
 
@@ -47,6 +48,8 @@ class RaysAndKernel : public TwoWays {
         .points = PointsServe::pairs,
         .sees_occluders = true,
         .largest_value = 2,
+        .nanoseconds = nanoseconds_of_two_ways,
+        .integrands = integrands_of_two_ways,
     };
 
     using TwoWays::TwoWays;
@@ -70,6 +73,8 @@ class RaysAndKernelPower : public TwoWays {
         .points = PointsServe::pairs,
         .sees_occluders = true,
         .largest_value = 1.5,
+        .nanoseconds = nanoseconds_of_two_ways,
+        .integrands = integrands_of_two_ways,
     };
 
     using TwoWays::TwoWays;

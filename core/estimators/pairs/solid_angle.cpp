@@ -2,7 +2,6 @@
 
 #include "core/estimators/pairs/patch_pairs.hpp"
 #include "core/estimators/pairs/spherical_rectangle.hpp"
-#include "core/estimators/unmet.hpp"
 #include "core/geometry/unit_circle.hpp"
 #include "core/visibility/facing.hpp"
 #include "core/visibility/occlusion.hpp"
@@ -132,20 +131,6 @@ Vector3d direction_in(const SphericalTriangle& triangle, double s, double t) {
 
 std::string SolidAngle::refusal(const EstimatorOptions& /*options*/, const Scene& scene) {
     return refuse_curved_faces(info.name, scene);
-}
-
-double SolidAngle::nanoseconds(const EstimatorOptions& /*options*/, const Scene& /*scene*/) {
-    return 150.0;
-}
-
-std::optional<Integrand> SolidAngle::integrand(const EstimatorOptions& /*options*/, PairClass /*pair_class*/,
-                                               Hiding /*hiding*/) {
-    return Integrand::rough;
-}
-
-double SolidAngle::largest_unmet(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to,
-                                 double evaluations) {
-    return largest_unmet_factor(scene, from, to, evaluations);
 }
 
 void SolidAngle::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {

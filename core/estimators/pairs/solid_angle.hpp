@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/estimators/estimator.hpp"
+#include "core/estimators/unmet.hpp"
 
 #include <string>
 
@@ -42,14 +43,13 @@ class SolidAngle {
         .points = PointsServe::pairs,
         .sees_occluders = true,
         .largest_value = 2,
+        .nanoseconds = 150,
+        // It has kinks where one triangle meets the other.
+        .integrands = {.apart = Integrand::rough, .adjacent = Integrand::rough},
     };
 
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);
-    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
-    /// The integrand has kinks where one triangle meets the other: no theory of smooth functions holds.
-    static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
-    static double largest_unmet(const EstimatorOptions& options, const Scene& scene, int from, int to,
-                                double evaluations);
+    static constexpr auto largest_unmet = &largest_unmet_factor;
 
     SolidAngle(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;

@@ -1,7 +1,6 @@
 #include "core/estimators/points/point_to_polygon.hpp"
 
 #include "core/estimators/points/source_points.hpp"
-#include "core/estimators/unmet.hpp"
 #include "core/formulas/polygon_factor.hpp"
 #include "core/geometry/convex_polygon.hpp"
 #include "core/visibility/facing.hpp"
@@ -99,20 +98,6 @@ std::string PointToPolygon::refusal(const EstimatorOptions& /*options*/, const S
         "{} cannot be used in scene '{}' (not all of its surfaces are parallelograms). Use estimator = "
         "\"ray_shooting\" or \"area_kernel\".",
         info.name, scene.name);
-}
-
-double PointToPolygon::nanoseconds(const EstimatorOptions& /*options*/, const Scene& /*scene*/) {
-    return 60.0;  // of all faces of a box
-}
-
-std::optional<Integrand> PointToPolygon::integrand(const EstimatorOptions& /*options*/, PairClass pair_class,
-                                                   Hiding /*hiding*/) {
-    return pair_class == PairClass::adjacent ? Integrand::rough : Integrand::smooth;
-}
-
-double PointToPolygon::largest_unmet(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to,
-                                     double evaluations) {
-    return largest_unmet_factor(scene, from, to, evaluations);
 }
 
 void PointToPolygon::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {

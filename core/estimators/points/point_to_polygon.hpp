@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/estimators/estimator.hpp"
+#include "core/estimators/unmet.hpp"
 
 #include <Eigen/Core>
 
@@ -46,14 +47,13 @@ class PointToPolygon {
         .dimension = 2,
         .points = PointsServe::patches,
         .largest_value = 1,
+        .nanoseconds = 60,  // of all faces of a box
+        .integrands = {.apart = Integrand::smooth, .adjacent = Integrand::rough},
     };
 
     /// All surfaces have to be parallelograms.
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);
-    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
-    static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
-    static double largest_unmet(const EstimatorOptions& options, const Scene& scene, int from, int to,
-                                double evaluations);
+    static constexpr auto largest_unmet = &largest_unmet_factor;
 
     PointToPolygon(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;

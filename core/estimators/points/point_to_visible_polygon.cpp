@@ -1,7 +1,6 @@
 #include "core/estimators/points/point_to_visible_polygon.hpp"
 
 #include "core/estimators/points/source_points.hpp"
-#include "core/estimators/unmet.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/visibility/facing.hpp"
 #include "core/visibility/mirrors.hpp"
@@ -50,11 +49,6 @@ std::optional<Integrand> PointToVisiblePolygon::integrand(const EstimatorOptions
                                                           Hiding hiding) {
     const bool kinks = pair_class == PairClass::adjacent || hiding == Hiding::possible;
     return kinks ? Integrand::rough : Integrand::smooth;
-}
-
-double PointToVisiblePolygon::largest_unmet(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to,
-                                            double evaluations) {
-    return largest_unmet_factor(scene, from, to, evaluations);
 }
 
 void PointToVisiblePolygon::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {

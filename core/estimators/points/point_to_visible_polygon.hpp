@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/estimators/estimator.hpp"
+#include "core/estimators/unmet.hpp"
 #include "core/visibility/visible_polygon.hpp"
 
 #include <cstdint>
@@ -33,8 +34,7 @@ class PointToVisiblePolygon {
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);
     static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
     static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
-    static double largest_unmet(const EstimatorOptions& options, const Scene& scene, int from, int to,
-                                double evaluations);
+    static constexpr auto largest_unmet = &largest_unmet_factor;
 
     PointToVisiblePolygon(const Scene& scene, TracerChoice tracer);
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;

@@ -128,13 +128,7 @@ double GlobalLines::nanoseconds(const EstimatorOptions& /*options*/, const Scene
     return 60.0 + 8.0 * static_cast<double>(scene.surfaces.size());
 }
 
-std::optional<Integrand> GlobalLines::integrand(const EstimatorOptions& /*options*/, PairClass /*pair_class*/,
-                                                Hiding /*hiding*/) {
-    return Integrand::jumping;
-}
-
-double GlobalLines::largest_unmet(const EstimatorOptions& /*options*/, const Scene& scene, int from, int to,
-                                  double evaluations) {
+double GlobalLines::largest_unmet(const Scene& scene, int from, int to, double evaluations) {
     double crossings = 0;  // of one line with the face, at most
     for (const Surface& surface : scene.surfaces) {
         if (surface.face == from) crossings += is_flat(surface.shape) ? 1 : 2;

@@ -48,14 +48,13 @@ class GlobalLines {
         .whole_faces = true,
         .sees_occluders = true,
         .evaluations = "lines",
+        .integrands = {.apart = Integrand::jumping, .adjacent = Integrand::jumping},
     };
 
     static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
-    static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
     /// A line's crossings count by the expected number of all: twice the face's area over that of the box for each
     /// line.
-    static double largest_unmet(const EstimatorOptions& options, const Scene& scene, int from, int to,
-                                double evaluations);
+    static double largest_unmet(const Scene& scene, int from, int to, double evaluations);
 
     GlobalLines(const Scene& scene, TracerChoice tracer);
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;

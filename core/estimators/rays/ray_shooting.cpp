@@ -103,11 +103,6 @@ double RayShooting::nanoseconds(const EstimatorOptions& options, const Scene& sc
     return scene.empty_box && !one_by_one ? analytic_nanoseconds : embree_nanoseconds;
 }
 
-std::optional<Integrand> RayShooting::integrand(const EstimatorOptions& /*options*/, PairClass /*pair_class*/,
-                                                Hiding /*hiding*/) {
-    return Integrand::jumping;
-}
-
 void RayShooting::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const {
     ray_shooting(*scene_, task.subdivision, *tracer_, *task.points, task.samples, task.options.allocation, task.key,
                  task.trial, outcome.rays, keeps_patches(*scene_, task.subdivision) ? &totals.hits : nullptr);

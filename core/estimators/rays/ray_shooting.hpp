@@ -39,14 +39,13 @@ class RayShooting {
         .sees_reflections = true,
         .largest_value = 1,
         .evaluations = "rays",
+        .integrands = {.apart = Integrand::jumping, .adjacent = Integrand::jumping},
     };
 
     /// The box tracer is for empty boxes; rays have single precision.
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);
     static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
-    static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
-    static double largest_unmet(const EstimatorOptions& /*options*/, const Scene& /*scene*/, int /*from*/, int /*to*/,
-                                double /*evaluations*/) {
+    static double largest_unmet(const Scene& /*scene*/, int /*from*/, int /*to*/, double /*evaluations*/) {
         return info.largest_value;
     }
 
