@@ -30,17 +30,8 @@ SolverRun eliminate(const RadiositySystem& system) {
     return run;
 }
 
-}  // namespace
-
-std::string_view name(Solver solver) {
-    static constexpr std::array<std::string_view, all_solvers.size()> names{
-        "jacobi", "gauss_seidel", "sor", "chebyshev", "conjugate_gradient", "progressive_refinement", "overshooting",
-        "lu"};
-    return names.at(static_cast<std::size_t>(solver));
-}
-
-SolverRun iterate(const RadiositySystem& system, const SolverOptions& options, double flops_per_iteration,
-                  const Iteration& iteration) {
+/// Repeats an iteration and watches the residual, so that divergence is recognised whatever the method.
+SolverRun iterate(const RadiositySystem& system, const SolverOptions& options, const IterativeMethod& method) {
     SolverRun run;
     run.exitance = system.emission;
     run.residuals.push_back(relative_residual(system, run.exitance));
@@ -56,8 +47,8 @@ SolverRun iterate(const RadiositySystem& system, const SolverOptions& options, d
     };
     std::optional<SolverOutcome> ended = outcome();
     while (!ended) {
-        const bool goes_on = iteration(run.exitance);
-        run.flops += flops_per_iteration;
+        const bool goes_on = method.iteration(run.exitance);
+        run.flops += method.flops;
         run.residuals.push_back(relative_residual(system, run.exitance));
         ended = outcome();
         if (!goes_on && !ended) ended = SolverOutcome::stalled;
@@ -66,24 +57,20 @@ SolverRun iterate(const RadiositySystem& system, const SolverOptions& options, d
     return run;
 }
 
+}  // namespace
+
+std::string_view name(Solver solver) {
+    static constexpr std::array<std::string_view, all_solvers.size()> names{
+        "jacobi", "gauss_seidel", "sor", "chebyshev", "conjugate_gradient", "progressive_refinement", "overshooting",
+        "lu"};
+    return names.at(static_cast<std::size_t>(solver));
+}
+
 SolverRun solve(const RadiositySystem& system, Solver solver, const SolverOptions& options) {
     FF_EXPECT(system.emission.maxCoeff() > 0);
     FF_EXPECT(options.tolerance > 0 && options.relaxation > 0 && options.relaxation < 2);
-    switch (solver) {
-        case Solver::jacobi:
-        case Solver::gauss_seidel:
-        case Solver::sor:
-        case Solver::chebyshev:
-            return solve_by_sweeps(system, solver, options);
-        case Solver::progressive_refinement:
-        case Solver::overshooting:
-            return solve_by_shooting(system, solver, options);
-        case Solver::conjugate_gradient:
-            return solve_by_conjugate_gradient(system, options);
-        case Solver::lu:
-            break;
-    }
-    return eliminate(system);
+    if (solver == Solver::lu) return eliminate(system);
+    return iterate(system, options, method_for(system, solver, options));
 }
 
 std::optional<Eigen::VectorXd> solve_exactly(const RadiositySystem& system) {
