@@ -87,7 +87,7 @@ Interval wald_interval(Proportion counts, double level) {
     expect_valid_counts(counts);
     const double p = share(counts);
     const double half = normal_critical((1 - level) / 2) * std::sqrt(p * (1 - p) / static_cast<double>(counts.trials));
-    return interval(p - half, p + half, level, "wald", counts);
+    return interval_around(p, half, level, "wald", counts.trials);
 }
 
 double binomial_upper_p(Proportion counts, double probability) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/support/contract.hpp"
+
 #include <cmath>
 #include <cstddef>
 #include <string_view>
@@ -32,7 +34,17 @@ struct Interval {
     [[nodiscard]] bool is_finite() const { return std::isfinite(low) && std::isfinite(high); }
 };
 
+/// centre -+ half.
+inline Interval interval_around(double centre, double half, double level, std::string_view method, std::size_t n) {
+    return {.low = centre - half, .high = centre + half, .level = level, .method = method, .n = n};
+}
+
 /// Interval of the square root of a nonnegative quantity, e.g. of sigma from that of the variance.
-Interval square_root(const Interval& interval);
+inline Interval square_root(Interval interval) {
+    FF_EXPECT(interval.low >= 0);
+    interval.low = std::sqrt(interval.low);
+    interval.high = std::sqrt(interval.high);
+    return interval;
+}
 
 }  // namespace ff::stats

@@ -29,14 +29,19 @@ std::size_t replicates_of(Draw draw, std::span<const std::size_t> sizes) {
     return drawn;
 }
 
+/// The mean squared error of each replicate.
+std::vector<double> mean_squares_of(const Rung& rung) {
+    std::vector<double> mean_squares(rung.replicates(), 0.0);
+    for (std::size_t i = 0; i < rung.errors.size(); ++i)
+        mean_squares[i / rung.width] += rung.errors[i] * rung.errors[i] / static_cast<double>(rung.width);
+    return mean_squares;
+}
+
 /// The root mean squared error of a rung, for any draw of its replicates.
 class LogRmse {
   public:
     LogRmse(const Rung& rung, std::size_t block)
-        : mean_squares_(rung.replicates(), 0.0), sizes_(block_sizes(rung, block)), sums_(sizes_.size(), 0.0) {
-        const double width = static_cast<double>(rung.width);
-        for (std::size_t i = 0; i < rung.errors.size(); ++i)
-            mean_squares_[i / rung.width] += rung.errors[i] * rung.errors[i] / width;
+        : mean_squares_(mean_squares_of(rung)), sizes_(block_sizes(rung, block)), sums_(sizes_.size(), 0.0) {
         for (std::size_t i = 0; i < mean_squares_.size(); ++i) sums_[i / block] += mean_squares_[i];
     }
 
@@ -227,29 +232,26 @@ std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, dou
 std::optional<Measured> measured_rmse_rate(std::span<const Rung> ladder, std::span<const Unmet> unmet) {
     FF_EXPECT(unmet.size() == ladder.size());
     if (ladder.size() < 2) return std::nullopt;
+    const auto variance = [](const Rung& rung) {
+        return log_chi_squared_variance(static_cast<double>(rung.replicates()));
+    };
     double weights = 0;
     double middle = 0;
     for (const Rung& rung : ladder) {
-        const double weight = 1 / log_chi_squared_variance(static_cast<double>(rung.replicates()));
+        const double weight = 1 / variance(rung);
         weights += weight;
         middle += weight * std::log(rung.size);
     }
     middle /= weights;
     double squares = 0;
-    for (const Rung& rung : ladder)
-        squares += std::pow(std::log(rung.size) - middle, 2) /
-                   log_chi_squared_variance(static_cast<double>(rung.replicates()));
+    for (const Rung& rung : ladder) squares += std::pow(std::log(rung.size) - middle, 2) / variance(rung);
     Measured rate;
     for (std::size_t i = 0; i < ladder.size(); ++i) {
         const Rung& rung = ladder[i];
-        std::vector<double> mean_squares(rung.replicates());
-        for (std::size_t k = 0; k < rung.errors.size(); ++k)
-            mean_squares[k / rung.width] += rung.errors[k] * rung.errors[k] / static_cast<double>(rung.width);
-        auto mean = mean_evidence(mean_squares, 0);
+        auto mean = mean_evidence(mean_squares_of(rung), 0);
         if (!mean || mean->difference <= 0) return std::nullopt;
         mean->unmet = unmet[i];
-        const double weight = (std::log(rung.size) - middle) /
-                              log_chi_squared_variance(static_cast<double>(rung.replicates())) / squares / 2;
+        const double weight = (std::log(rung.size) - middle) / variance(rung) / squares / 2;
         if (weight == 0) continue;  // the middle of three
         rate.value += weight * std::log(mean->difference);
         rate.parts.push_back({.mean = *mean, .weight = weight, .logarithm = true});

@@ -25,4 +25,19 @@ std::optional<LineFit> fit_line(std::span<const double> x, std::span<const doubl
 
 /// slope +- z sd: trusts the known variances.
 Interval slope_interval_normal(const LineFit& fit, double level);
+
+/// error = coefficient / size^exponent, for deterministic errors.
+struct PowerLaw {
+    double coefficient = 0;  ///< signed
+    double exponent = 0;
+    double largest_residual = 0;  ///< largest |error / law - 1| over the sizes
+};
+
+/// Fits both by least squares of ln|error|. Empty below two distinct sizes, or unless all errors have one sign.
+/// @pre equal lengths, sizes > 0
+std::optional<PowerLaw> fit_power_law(std::span<const double> sizes, std::span<const double> errors);
+
+/// The coefficient alone: the mean of error * size^exponent. Empty without points or where it is 0.
+std::optional<PowerLaw> fit_power_law(std::span<const double> sizes, std::span<const double> errors, double exponent);
+
 }  // namespace ff::stats

@@ -26,20 +26,6 @@ double sum_of_products(const std::vector<double>& x, std::size_t lag) {
     return sum;
 }
 
-}  // namespace
-
-std::vector<double> autocorrelations(std::span<const double> values, std::size_t lags) {
-    FF_EXPECT(lags < values.size());
-    const std::vector<double> x = centred(values);
-    const double squares = sum_of_products(x, 0);
-    FF_EXPECT(squares > 0);
-    std::vector<double> result;
-    for (std::size_t lag = 1; lag <= lags; ++lag) result.push_back(sum_of_products(x, lag) / squares);
-    return result;
-}
-
-namespace {
-
 /// Both statistics of a centred series, and the p-value that they would have if sums of products were normal.
 SerialTest asymptotic_test(const std::vector<double>& x, double squares) {
     const auto n = static_cast<double>(x.size());

@@ -3,13 +3,8 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace ff::stats {
-
-/// Autocorrelations of a series in its order, at lags 1 .. lags (divisor n: each is a little too small).
-/// @pre lags < n; values are not all equal
-std::vector<double> autocorrelations(std::span<const double> values, std::size_t lags);
 
 /// Test of "the values are independent of those before them".
 struct SerialTest {

@@ -27,4 +27,8 @@ double anderson_darling(std::span<const double> first, std::span<const double> s
 double kolmogorov_distance(std::span<const double> uniform);
 double kolmogorov_distance(std::span<const double> first, std::span<const double> second);
 
+/// Half-width of the Dvoretzky-Kiefer-Wolfowitz band around an ECDF of n values: sqrt(ln(2/(1-level)) / (2n)).
+/// Coverage >= level for every distribution, discrete ones included. @see [massart1990]
+double dkw_half_width(std::size_t n, double level);
+
 }  // namespace ff::stats

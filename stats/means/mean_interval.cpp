@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <string_view>
 #include <vector>
 
 namespace ff::stats {
@@ -16,30 +15,26 @@ bool spreads(const Moments& moments) {
     return moments.count() >= 2 && *moments.variance() > 0;
 }
 
-Interval around(double centre, double half, double level, std::string_view method, std::size_t n) {
-    return {.low = centre - half, .high = centre + half, .level = level, .method = method, .n = n};
-}
-
-double student_half_width(const Moments& moments, double level) {
-    return student_critical(static_cast<double>(moments.count() - 1), (1 - level) / 2) * *moments.standard_error();
+std::optional<Interval> student_interval(const Moments& moments, std::optional<double> centre, double level) {
+    if (!spreads(moments)) return std::nullopt;
+    const double t = student_critical(static_cast<double>(moments.count() - 1), (1 - level) / 2);
+    return interval_around(*centre, t * *moments.standard_error(), level, "student_t", moments.count());
 }
 
 }  // namespace
 
 std::optional<Interval> mean_interval_t(const Moments& moments, double level) {
-    if (!spreads(moments)) return std::nullopt;
-    return around(*moments.mean(), student_half_width(moments, level), level, "student_t", moments.count());
+    return student_interval(moments, moments.mean(), level);
 }
 
 std::optional<Interval> bias_interval_t(const Moments& moments, double level) {
-    if (!spreads(moments)) return std::nullopt;
-    return around(*moments.bias(), student_half_width(moments, level), level, "student_t", moments.count());
+    return student_interval(moments, moments.bias(), level);
 }
 
 std::optional<Interval> mean_interval_normal(const Moments& moments, double level) {
     if (!spreads(moments)) return std::nullopt;
     const double half = normal_critical((1 - level) / 2) * *moments.standard_error();
-    return around(*moments.mean(), half, level, "normal", moments.count());
+    return interval_around(*moments.mean(), half, level, "normal", moments.count());
 }
 
 std::optional<Interval> mean_interval_bootstrap(std::span<const double> values, double level,

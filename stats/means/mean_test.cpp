@@ -42,13 +42,15 @@ MeanEvidence mean_of(std::span<const double> values, double reference) {
 
 /// How far a mean may be off on one side, except with probability `tail`.
 double reach_of(const MeanEvidence& mean, int side, double tail) {
-    const double met = mean.unmet.tail_of_met(tail);
-    const double t = student_critical(mean.freedom, met);
-    return mean.standard_error * gate::skewed_reach(mean.skewness, side, t, normal_critical(met)) +
-           mean.unmet.reach(mean.unmet.tail_of_unmet(tail)) + mean.rounding;
+    return mean.reach_of_met(side, tail) + mean.unmet.reach(mean.unmet.tail_of_unmet(tail)) + mean.rounding;
 }
 
 }  // namespace
+
+double MeanEvidence::reach_of_met(int side, double tail) const {
+    const double met = unmet.tail_of_met(tail);
+    return standard_error * gate::skewed_reach(skewness, side, student_critical(freedom, met), normal_critical(met));
+}
 
 double Unmet::reach(double tail) const {
     return largest == 0 ? 0 : -largest * std::expm1(std::log(tail) / evaluations);

@@ -58,6 +58,8 @@ struct MeanEvidence {
     std::size_t n = 0;        ///< values behind it
 
     [[nodiscard]] double t() const { return difference / standard_error; }
+    /// How far the mean of the values that were met may be off on one side (-1 or 1), except with its part of `tail`.
+    [[nodiscard]] double reach_of_met(int side, double tail) const;
 };
 
 /// Limits for values that are known not to be skewed.

@@ -1,7 +1,6 @@
 #include "stats/means/measured.hpp"
 
 #include "core/support/contract.hpp"
-#include "stats/basics/distributions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +12,9 @@ namespace {
 double reach_of(const Measured::Part& part, int side, double tail) {
     const int of_mean = part.weight < 0 ? -side : side;
     const MeanEvidence& mean = part.mean;
-    const double met = mean.unmet.tail_of_met(tail);
-    const double standard_errors =
-        gate::skewed_reach(mean.skewness, of_mean, student_critical(mean.freedom, met), normal_critical(met));
     // What no evaluation has met makes a mean square larger, never smaller.
     const double reach =
-        standard_errors * mean.standard_error + (of_mean > 0 ? mean.unmet.reach(mean.unmet.tail_of_unmet(tail)) : 0);
+        mean.reach_of_met(of_mean, tail) + (of_mean > 0 ? mean.unmet.reach(mean.unmet.tail_of_unmet(tail)) : 0);
     const double weight = std::abs(part.weight);
     return weight * (part.logarithm ? gate::reach_of_logarithm(of_mean, reach / mean.difference) : reach);
 }

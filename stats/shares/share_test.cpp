@@ -70,7 +70,7 @@ double p_of_at_least(Proportion counts, const ShareReference& reference, double 
 Interval reference_interval(const ShareReference& reference, double level) {
     if (reference.counts) return clopper_pearson_interval(*reference.counts, level);
     const double half = critical_t((1 - level) / 2, reference.freedom) * reference.standard_error;
-    return {.low = reference.value - half, .high = reference.value + half, .level = level, .method = "", .n = 0};
+    return interval_around(reference.value, half, level, "", 0);
 }
 
 Interval share_difference_interval(Proportion counts, const ShareReference& reference, double level) {

@@ -1,7 +1,6 @@
 #include "stats/variances/variance_interval.hpp"
 
 #include "core/support/contract.hpp"
-#include "stats/basics/distributions.hpp"
 #include "stats/basics/quantiles.hpp"
 #include "stats/variances/spread.hpp"
 
@@ -76,14 +75,10 @@ bool suits_chi_squared(const Moments& moments) {
 std::optional<Interval> variance_interval_chi2(const Moments& moments, double level) {
     FF_EXPECT(0 < level && level < 1);
     if (moments.count() < 2 || *moments.variance() == 0) return std::nullopt;
-    const double freedom = static_cast<double>(moments.count() - 1);
-    const double sum = *moments.variance() * freedom;
-    const double tail = (1 - level) / 2;
-    return Interval{.low = sum / chi_squared_critical(freedom, tail),
-                    .high = sum / chi_squared_critical(freedom, 1 - tail),
-                    .level = level,
-                    .method = "chi_squared",
-                    .n = moments.count()};
+    const auto freedom = static_cast<double>(moments.count() - 1);
+    Interval interval = mean_square_interval({*moments.variance(), freedom, moments.count()}, level);
+    interval.method = "chi_squared";
+    return interval;
 }
 
 std::optional<Interval> variance_interval_bootstrap(std::span<const double> values, double level,

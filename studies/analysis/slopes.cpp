@@ -5,7 +5,7 @@
 #include "stats/basics/distributions.hpp"
 #include "stats/basics/quantiles.hpp"
 #include "stats/convergence/convergence.hpp"
-#include "stats/convergence/power_law.hpp"
+#include "stats/convergence/line_fit.hpp"
 #include "stats/error_rates/multiplicity.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stats/convergence/power_law.hpp"
+#include "stats/convergence/line_fit.hpp"
 #include "studies/analysis/analysis.hpp"
 #include "studies/published/published.hpp"
 

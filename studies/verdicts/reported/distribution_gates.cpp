@@ -2,7 +2,6 @@
 
 #include "core/support/error.hpp"
 #include "stats/goodness_of_fit/anderson_darling.hpp"
-#include "stats/goodness_of_fit/ecdf_band.hpp"
 #include "stats/shares/count_distance.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "core/support/contract.hpp"
 #include "stats/basics/distributions.hpp"
-#include "stats/error_rates/global_test.hpp"
+#include "stats/error_rates/multiplicity.hpp"
 
 #include <algorithm>
 #include <cmath>

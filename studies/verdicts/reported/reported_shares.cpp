@@ -1,6 +1,6 @@
 #include "studies/verdicts/reported/reported_shares.hpp"
 
-#include "stats/error_rates/global_test.hpp"
+#include "stats/error_rates/multiplicity.hpp"
 #include "studies/verdicts/needed_trials.hpp"
 
 #include <fmt/format.h>

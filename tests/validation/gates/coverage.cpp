@@ -2,7 +2,7 @@
 
 #include "stats/basics/quantiles.hpp"
 #include "stats/convergence/convergence.hpp"
-#include "stats/goodness_of_fit/ecdf_band.hpp"
+#include "stats/goodness_of_fit/anderson_darling.hpp"
 #include "stats/goodness_of_fit/kolmogorov.hpp"
 #include "stats/means/mean_interval.hpp"
 #include "stats/means/two_stage.hpp"

@@ -1,6 +1,6 @@
 #include "stats/goodness_of_fit/kolmogorov.hpp"
 
-#include "stats/goodness_of_fit/ecdf_band.hpp"
+#include "stats/goodness_of_fit/anderson_darling.hpp"
 
 #include "tests/support/statistical_assertions.hpp"
 #include "tests/unit/stats/samples.hpp"
