@@ -14,9 +14,8 @@ class ClosedForm {
         .summary = "exact formulas for parallel and perpendicular rectangles",
         .details =
             "Takes no points and has no error but rounding (about 1e-15 of the squared extent). Axis-aligned "
-            "rectangles "
-            "with\nnothing in between. The reference that bias is measured from, and the baseline that others "
-            "have to beat.",
+            "rectangles with\nnothing in between. The reference that bias is measured from, and the baseline that "
+            "others have to beat.",
         .reference = "howell",
         .exact = true,
         .sees_reflections = true,

@@ -14,8 +14,7 @@ class SobolFirstDropped {
             "Points 1 .. N of the scrambled sequence instead of 0 .. N - 1, as libraries do that take the first point, "
             "the origin, for a nuisance. Every point is still uniform, so nothing is biased; but 2^m points that do "
             "not begin at a multiple of 2^m are not a net, and one point in the wrong place costs 1/N where the error "
-            "of "
-            "the net falls faster than that (Owen 2022). Tallies of rays hardly notice.\n"
+            "of the net falls faster than that (Owen 2022). Tallies of rays hardly notice.\n"
             "Caught by: a gate on the standard deviation, or on the slope, of a smooth estimate.",
         .reference = "owen2022",
         .sizes = Sizes::powers,

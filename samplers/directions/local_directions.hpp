@@ -25,13 +25,11 @@ class LocalDirections {
              fixed("`"));
     static constexpr auto text_of_details =
         join(fixed("Points 12 k to 12 k + 11 share one origin, a point of `sobol` in the coordinates before the last "
-                   "two; these, the "
-                   "direction, are a set of `"),
+                   "two; these, the direction, are a set of `"),
              fixed_name<Sampler>(),
              fixed("` in two dimensions, drawn anew for each origin. Places are fewer than with one ray from each: to "
                    "prefer where they hardly differ in what they see.\nAny number of points; the last origin has what "
-                   "is left. "
-                   "Points are not independent: take intervals over trials, never within a set."));
+                   "is left. Points are not independent: take intervals over trials, never within a set."));
 
   public:
     static constexpr SamplerInfo info{

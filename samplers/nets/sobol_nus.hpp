@@ -17,8 +17,7 @@ class SobolNus {
             "the hash of `sobol` is tested against: means and variances of the two must agree.\n"
             "It pays 32 Philox blocks a coordinate, some thousand times the cost of `sobol`, and is for checks and "
             "small studies. Sizes: powers of two; with others the set is not a net, estimates stay unbiased and lose "
-            "part "
-            "of their gain. The error falls as N^-3/2 (up to logarithms) for smooth integrands and as N^-5/8 or a "
+            "part of their gain. The error falls as N^-3/2 (up to logarithms) for smooth integrands and as N^-5/8 or a "
             "little faster for tallies of rays. Points of one set are not independent: take intervals over trials, "
             "never within a set.",
         .reference = "owen1995",

@@ -24,10 +24,9 @@ class Lattice {
             "1.2e-3 at 2^12, 1.5e-4 at 2^16, 1.2e-5 at 2^20, 1.4e-6 at 2^24, where random points have 5.8e-2, 1.4e-2, "
             "3.6e-3, 9.0e-4, 2.3e-4.\n"
             "Sizes: powers of two; with others the set is not a lattice, estimates stay unbiased and lose part of "
-            "their "
-            "gain. Beyond 2^24 points the vector is not adapted. The error falls as N^-1 for smooth integrands, faster "
-            "for periodic ones. The shift is all that is random. Points of one set are not independent: take intervals "
-            "over trials, never within a set.",
+            "their gain. Beyond 2^24 points the vector is not adapted. The error falls as N^-1 for smooth integrands, "
+            "faster for periodic ones. The shift is all that is random. Points of one set are not independent: take "
+            "intervals over trials, never within a set.",
         .reference = "cools2006",
         .sizes = Sizes::powers,
         .spread = Spread::lattice,

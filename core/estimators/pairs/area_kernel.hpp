@@ -36,16 +36,11 @@ class AreaKernel {
         .summary = "cos·cos/(pi r^2) at pairs of points on two patches (with gauss_legendre: the paper's PDM)",
         .details =
             "A 4-D point gives a point on each patch of an ordered pair; samples_per_patch counts points per pair. "
-            "Unbiased "
-            "with\nrandom points, but where patches share an edge or a vertex the kernel is unbounded: the tail index "
-            "is 3/2 or "
-            "2, the\nvariance infinite, and no interval is shown. With Gauss-Legendre nodes on both patches it is the "
-            "parametric\ndifferential method (PDM); its error near common edges falls as 1/m only. map = \"graded\" "
-            "lays points s^3 "
-            "from a "
-            "common\nedge (s^2 from a common vertex): tail index 5/2, finite variance. What may stand between two "
-            "surfaces is "
-            "looked at\npoint by point.",
+            "Unbiased with\nrandom points, but where patches share an edge or a vertex the kernel is unbounded: the "
+            "tail index is 3/2 or 2, the\nvariance infinite, and no interval is shown. With Gauss-Legendre nodes on "
+            "both patches it is the parametric\ndifferential method (PDM); its error near common edges falls as 1/m "
+            "only. map = \"graded\" lays points s^3 from a common\nedge (s^2 from a common vertex): tail index 5/2, "
+            "finite variance. What may stand between two surfaces is looked at\npoint by point.",
         .reference = "baranoski1992",
         .dimension = 4,
         .points = PointsServe::pairs,

@@ -19,8 +19,7 @@ class Contour {
             "edges.\nEdges that coincide are done exactly. With gauss_legendre it is the classical contour integration "
             "with so many\nnodes an edge; unbiased with random points, of finite variance also where faces touch. It "
             "knows nothing of what\nhides or lies behind: faces have to be parallelograms and triangles, each wholly "
-            "in "
-            "front of all others.\nsamples_per_patch counts points per pair of patches.",
+            "in front of all others.\nsamples_per_patch counts points per pair of patches.",
         .reference = "sparrow1963",
         .dimension = 2,
         .points = PointsServe::pairs,

@@ -33,11 +33,10 @@ class SolidAngle {
         .details =
             "A 4-D point gives a point on the source patch (2) and a direction (2), uniform in the solid angle of the "
             "target\npatch as seen from there: a spherical rectangle (Ureña, Fajardo and King), or two triangles "
-            "(Arvo). The value is solid angle times cosine over "
-            "pi: between 0\nand 2, so that the variance is finite wherever faces touch, and every direction meets the "
-            "target, however small\nit is. Unbiased with random points. What may stand in between is looked at point "
-            "by point. Faces have to be\nparallelograms and triangles; samples_per_patch counts points per pair of "
-            "patches.",
+            "(Arvo). The value is solid angle times cosine over pi: between 0\nand 2, so that the variance is finite "
+            "wherever faces touch, and every direction meets the target, however small\nit is. Unbiased with random "
+            "points. What may stand in between is looked at point by point. Faces have to be\nparallelograms and "
+            "triangles; samples_per_patch counts points per pair of patches.",
         .reference = "arvo1995",
         .dimension = 4,
         .points = PointsServe::pairs,

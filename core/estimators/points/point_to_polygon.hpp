@@ -35,14 +35,11 @@ class PointToPolygon {
         .summary = "exact factors from points of the source to each face (Lambert's formula)",
         .details =
             "A 2-D point lies on the source patch; from there the form factor to every visible face is exact: a sum "
-            "over "
-            "the edges\nof the face, each the angle under which it is seen times a cosine. Points are shared by all "
-            "targets, and "
-            "subdivision\ndivides the source only. Unbiased with random points, of values between 0 and 1; smooth "
-            "between parallel "
-            "faces, with a\njump at the corners where three faces meet. Works with every sampler in two dimensions "
-            "(so stratified takes "
-            "k^2 points)\nand, deterministically, with Gauss-Legendre nodes. Unoccluded convex scenes only.",
+            "over the edges\nof the face, each the angle under which it is seen times a cosine. Points are shared by "
+            "all targets, and subdivision\ndivides the source only. Unbiased with random points, of values between 0 "
+            "and 1; smooth between parallel faces, with a\njump at the corners where three faces meet. Works with "
+            "every sampler in two dimensions (so stratified takes k^2 points)\nand, deterministically, with "
+            "Gauss-Legendre nodes. Unoccluded convex scenes only.",
         .reference = "baum1989",
         .dimension = 2,
         .points = PointsServe::patches,

@@ -34,9 +34,8 @@ class GlobalLines {
         .name = "global_lines",
         .summary = "uniform lines through the whole scene; one set serves all faces (Sbert)",
         .details =
-            "A 4-D point gives a line through the box around the scene, uniform as integral geometry measures lines: "
-            "a place\non the box (2) and from there a cosine-distributed direction (2). Wherever it leaves the front "
-            "of "
+            "A 4-D point gives a line through the box around the scene, uniform as integral geometry measures lines: a "
+            "place\non the box (2) and from there a cosine-distributed direction (2). Wherever it leaves the front of "
             "one surface and arrives\nnext at the front of another, a ray went from each to the other. The estimate of "
             "F(i, j) is the share of the\ncrossings of face i from which the next surface is face j, so that the rows "
             "of a closed scene add up to 1. Unbiased\nwith random points, as long as every face is crossed; small "

@@ -39,10 +39,9 @@ class CubicTetrahedron : public ByPixels<CubicTetrahedron> {
         .summary = "the corner of a cube over each patch; a ray through every pixel (Beran-Koehn and Pavicic)",
         .details =
             "The corner of a cube, cut off through three others, stands on the middle of each patch, its diagonal "
-            "along "
-            "the\nnormal: three triangles, and no direction is nearer to the horizon on one of them than on another. "
-            "A ray goes\nthrough the centre of every pixel, which counts with its delta form factor. As the hemicube "
-            "otherwise, with\nr(r - 1)/2 pixels on each triangle, those centred on the horizon left out: "
+            "along the\nnormal: three triangles, and no direction is nearer to the horizon on one of them than on "
+            "another. A ray goes\nthrough the centre of every pixel, which counts with its delta form factor. As the "
+            "hemicube otherwise, with\nr(r - 1)/2 pixels on each triangle, those centred on the horizon left out: "
             "samples_per_patch is 3 r(r - 1)/2,\n1488 for r = 32. Parallelograms and triangles only.",
         .reference = "berankoehn1991",
     });

@@ -24,11 +24,9 @@ class RayShooting {
         .summary = "rays from every patch, cosine distributed; counts what they hit (the paper's SR)",
         .details =
             "A 4-D point gives the origin on the source patch (2) and the direction (2). The estimate of F(i, j) is "
-            "the "
-            "share\nof the rays from face i that hit face j: integer counts, unbiased, and nothing is chosen about the "
-            "target.\nWorks with every sampler of equal weights. allocation = \"face\" runs one sequence over all "
-            "patches of a "
-            "face.\nRays that leave a closed scene are lost rays; they are counted and reported.",
+            "the share\nof the rays from face i that hit face j: integer counts, unbiased, and nothing is chosen about "
+            "the target.\nWorks with every sampler of equal weights. allocation = \"face\" runs one sequence over all "
+            "patches of a face.\nRays that leave a closed scene are lost rays; they are counted and reported.",
         .reference = "shirley1991",
         .dimension = 4,
         .points = PointsServe::patches,
