@@ -102,13 +102,10 @@ class DoubleTracer final : public Tracer {
         Found first;
         tree_.along(line, [&](std::uint32_t index, double latest) {
             const Surface& surface = surfaces_[index];
-            // In a second attempt a ray starts inside of its hollow source, not on it.
-            const bool begins =
-                index == source && (rim == 0 || is_flat(surface.shape) || facing(surface.shape) == Facing::outward);
+            const bool begins = index == source && begins_on(surface, rim);
             const auto meeting = line_meets(line, surface, {.begins = begins}, rim);
             if (!meeting || (index != source && are_level(surface, from, meeting->time, line.direction))) return latest;
-            Found found{index, *meeting, false};
-            found.from_behind = is_from_behind(found, line.direction);
+            const Found found{index, *meeting, meets_back(surface, meeting->outward, line.direction)};
             if (!comes_before(found, first, line.direction)) return latest;
             first = found;
             return meeting->time;
@@ -130,12 +127,6 @@ class DoubleTracer final : public Tracer {
         const double later = a.meeting.time - b.meeting.time;
         if (!are_level(surfaces_[a.surface], surfaces_[b.surface], std::abs(later), direction)) return later < 0;
         return std::pair(!is_received(a), a.surface) < std::pair(!is_received(b), b.surface);
-    }
-
-    [[nodiscard]] bool is_from_behind(const Found& found, const Eigen::Vector3d& direction) const {
-        const Surface& met = surfaces_[found.surface];
-        if (is_flat(met.shape)) return met.normal.dot(direction) >= 0;
-        return (facing(met.shape) == Facing::inward) != found.meeting.outward;
     }
 
     [[nodiscard]] bool is_received(const Found& found) const {

@@ -96,9 +96,7 @@ void intersect_round(const RTCIntersectFunctionNArguments* arguments) {
     const std::uint32_t index = group.surfaces[arguments->primID];
     const Surface& surface = group.surface(arguments->primID);
     const Context& context = context_of(arguments->context);
-    // In a second attempt a ray starts inside of its hollow source, not on it.
-    const bool begins = index == context.source &&
-                        (context.rim == 0 || is_flat(surface.shape) || facing(surface.shape) == Facing::outward);
+    const bool begins = index == context.source && begins_on(surface, context.rim);
     const unsigned n = arguments->N;
     RTCRayN* const rays = RTCRayHitN_RayN(arguments->rayhit, n);
     RTCHitN* const hits = RTCRayHitN_HitN(arguments->rayhit, n);
@@ -144,7 +142,9 @@ class EmbreeTracer final : public Tracer {
     [[nodiscard]] EmbreeHit intersect_one(const Line& line, std::uint32_t source, double shift) const;
     [[nodiscard]] EmbreeHit unless_beneath_source(const EmbreeHit& found, const Line& line, std::uint32_t source) const;
 
-    [[nodiscard]] bool is_from_behind(std::uint32_t surface, float u, const Eigen::Vector3d& direction) const;
+    [[nodiscard]] bool is_from_behind(std::uint32_t surface, float u, const Eigen::Vector3d& direction) const {
+        return meets_back(surfaces_[surface], u == meets_outward, direction);
+    }
     [[nodiscard]] bool is_received(const EmbreeHit& found) const {
         return is_of_face(surfaces_[found.surface]) && !found.from_behind;
     }
@@ -288,12 +288,6 @@ EmbreeHit EmbreeTracer::unless_beneath_source(const EmbreeHit& found, const Line
     const Eigen::Vector3d up = normal_at(surfaces_[source], line.origin);
     const double risen = static_cast<double>(found.time) * up.dot(line.direction);
     return risen <= gap_ ? intersect_one({line.origin + 2 * gap_ * up, line.direction}, source, 0) : found;
-}
-
-bool EmbreeTracer::is_from_behind(std::uint32_t surface, float u, const Eigen::Vector3d& direction) const {
-    const Surface& met = surfaces_[surface];
-    if (is_flat(met.shape)) return met.normal.dot(direction) >= 0;
-    return (facing(met.shape) == Facing::inward) != (u == meets_outward);
 }
 
 void EmbreeTracer::shoot(std::uint32_t source, Grid grid, std::uint32_t patch, const PointBlock& block,

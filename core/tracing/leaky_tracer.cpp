@@ -1,6 +1,4 @@
-#include "core/tracing/leaky_tracer.hpp"
-
-#include "core/tracing/shoot_by_tracing.hpp"
+#include "core/tracing/tracer.hpp"
 
 namespace ff {
 namespace {

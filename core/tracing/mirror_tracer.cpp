@@ -1,7 +1,6 @@
-#include "core/tracing/mirror_tracer.hpp"
-
 #include "core/geometry/surface_map.hpp"
-#include "core/tracing/shoot_by_tracing.hpp"
+#include "core/tracing/rays.hpp"
+#include "core/tracing/tracer.hpp"
 #include "core/visibility/mirrors.hpp"
 
 #include <numeric>
@@ -17,12 +16,11 @@ struct Paths {
     std::vector<std::size_t> number;
 
     void add(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction, std::size_t ray) {
-        rays.origin_x.push_back(origin.x());
-        rays.origin_y.push_back(origin.y());
-        rays.origin_z.push_back(origin.z());
-        rays.direction_x.push_back(direction.x());
-        rays.direction_y.push_back(direction.y());
-        rays.direction_z.push_back(direction.z());
+        const auto components = components_of(rays);
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            components[static_cast<std::size_t>(axis)]->push_back(origin[axis]);
+            components[static_cast<std::size_t>(axis) + 3]->push_back(direction[axis]);
+        }
         number.push_back(ray);
     }
 };

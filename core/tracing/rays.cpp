@@ -159,16 +159,13 @@ void generate_ray_block(const Surface& surface, Grid grid, std::uint32_t patch, 
     const SurfaceFrame frame = vectorised ? surface_frame(surface) : upright;
     HWY_DYNAMIC_DISPATCH(generate)(frame, patch_map(grid, patch), points, rays);
     if (vectorised) return;
+    const auto components = components_of(rays);
     place_rays(surface, grid, patch, points, rays,
                [&](std::size_t i, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-                   const Eigen::Vector3f origin = from.cast<float>();
-                   const Eigen::Vector3f direction = to.cast<float>();
-                   rays.origin_x[i] = origin.x();
-                   rays.origin_y[i] = origin.y();
-                   rays.origin_z[i] = origin.z();
-                   rays.direction_x[i] = direction.x();
-                   rays.direction_y[i] = direction.y();
-                   rays.direction_z[i] = direction.z();
+                   for (std::size_t axis = 0; axis < 3; ++axis) {
+                       (*components[axis])[i] = static_cast<float>(from[static_cast<Eigen::Index>(axis)]);
+                       (*components[axis + 3])[i] = static_cast<float>(to[static_cast<Eigen::Index>(axis)]);
+                   }
                });
 }
 
@@ -189,15 +186,11 @@ void generate_rays(const Surface& surface, std::uint32_t source, Grid grid, std:
                    const PointBlock& block, RayBatch& rays) {
     const auto generated = std::make_unique<RayBlock>();
     generate_ray_block(surface, grid, patch, block, *generated);
-    const auto take = [&block](const RayBlock::Component& from, std::vector<float>& to) {
-        to.assign(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(block.size));
-    };
-    take(generated->origin_x, rays.origin_x);
-    take(generated->origin_y, rays.origin_y);
-    take(generated->origin_z, rays.origin_z);
-    take(generated->direction_x, rays.direction_x);
-    take(generated->direction_y, rays.direction_y);
-    take(generated->direction_z, rays.direction_z);
+    const auto to = components_of(rays);
+    for (std::size_t c = 0; c < to.size(); ++c) {
+        const RayBlock::Component& from = *components_of(*generated)[c];
+        to[c]->assign(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(block.size));
+    }
     rays.source = source;
 }
 

@@ -13,6 +13,17 @@ namespace ff {
 /// How much nearer to the middle of its surface a ray's second attempt starts, and how much larger rims are then.
 inline constexpr double second_attempt = 0x1p-20;
 
+/// Whether a ray begins on its source, and cannot meet it there. In a second attempt it starts inside of a hollow one.
+inline bool begins_on(const Surface& source, double rim) {
+    return rim == 0 || is_flat(source.shape) || facing(source.shape) == Facing::outward;
+}
+
+/// Whether a ray arrives at the back of a surface. @param outward  as of Meeting
+inline bool meets_back(const Surface& surface, bool outward, const Eigen::Vector3d& direction) {
+    if (is_flat(surface.shape)) return surface.normal.dot(direction) >= 0;
+    return (facing(surface.shape) == Facing::inward) != outward;
+}
+
 /// A parallelogram in single precision, with the directions that rays are built from: `tangent` along edge_u,
 /// `bitangent` perpendicular to it on the side of edge_v, and the normal, all of unit length.
 struct SurfaceFrame {
@@ -58,13 +69,22 @@ void generate_ray_block(const Surface& surface, Grid grid, std::uint32_t patch, 
 void generate_lines(const Surface& surface, Grid grid, std::uint32_t patch, const PointBlock& points,
                     std::vector<Line>& lines);
 
-/// Pointers to components of consecutive rays: origins, then directions.
+/// The components of rays: origins, then directions.
+template <class Rays>
+auto components_of(Rays& rays) {
+    return std::array{&rays.origin_x,    &rays.origin_y,    &rays.origin_z,
+                      &rays.direction_x, &rays.direction_y, &rays.direction_z};
+}
+
+/// Pointers to components of consecutive rays.
 using RayPointers = std::array<const float*, 6>;
 
 template <class Rays>
 RayPointers pointers_to(const Rays& rays) {
-    return {rays.origin_x.data(),    rays.origin_y.data(),    rays.origin_z.data(),
-            rays.direction_x.data(), rays.direction_y.data(), rays.direction_z.data()};
+    RayPointers pointers{};
+    std::size_t next = 0;
+    for (const auto* component : components_of(rays)) pointers[next++] = component->data();
+    return pointers;
 }
 
 inline Eigen::Vector3d direction_of(const RayPointers& rays, std::size_t i) {

@@ -1,16 +1,15 @@
 #include "core/tracing/tracer.hpp"
 
 #include "core/geometry/placement.hpp"
+#include "core/support/contract.hpp"
 #include "core/support/error.hpp"
 #include "core/tracing/fine_detail.hpp"
-#include "core/tracing/leaky_tracer.hpp"
-#include "core/tracing/mirror_tracer.hpp"
 #include "core/visibility/mirrors.hpp"
 
 #include <utility>
+#include <vector>
 
 namespace ff {
-
 namespace {
 
 std::unique_ptr<Tracer> make_straight_tracer(const Scene& scene, TracerChoice choice) {
@@ -29,6 +28,20 @@ void Tracer::find_ends(const Surface& surface, std::uint32_t source, Grid grid, 
     RayBatch rays;
     generate_rays(surface, source, grid, patch, block, rays);
     trace(rays, hits);
+}
+
+void shoot_by_tracing(const Tracer& tracer, const Scene& scene, std::uint32_t source, Grid grid, std::uint32_t patch,
+                      const PointBlock& block, std::span<std::uint64_t> hits) {
+    FF_EXPECT(hits.size() == scene.faces.size() + 1);
+    std::vector<Hit> found(block.size);
+    tracer.find_ends(scene.surfaces[source], source, grid, patch, block, found);
+    for (const Hit& hit : found) {
+        if (hit.surface == no_surface) {
+            ++hits[scene.faces.size()];
+        } else if (hit.received) {
+            ++hits[static_cast<std::size_t>(scene.surfaces[hit.surface].face)];
+        }
+    }
 }
 
 std::unique_ptr<Tracer> make_tracer(const Scene& given, TracerChoice choice) {

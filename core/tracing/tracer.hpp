@@ -95,11 +95,32 @@ std::unique_ptr<Tracer> make_embree_tracer(const Scene& scene);
 /// them, or on the first of several in scene order.
 std::unique_ptr<Tracer> make_double_tracer(const Scene& scene);
 
+/// A ray that meets a mirror after this many reflections is lost. In a box without opposite mirrors no ray is reflected
+/// more than three times.
+inline constexpr int most_reflections = 64;
+
+/// Reflects rays that meet the front of a mirror; `tracer` finds what they meet. Only final hits are reported, none of
+/// them on a mirror. @pre a tracer of the same scene
+std::unique_ptr<Tracer> make_mirror_tracer(const Scene& scene, std::unique_ptr<Tracer> tracer);
+
+/// Width of the crack along each edge of a surface, as a share of the surface's extent.
+inline constexpr float crack_width = 1e-4f;
+
+/// Control: a tracer that is broken on purpose. Rays are traced as by `make_tracer`, but those that end within
+/// `crack_width` of an edge of the surface they hit slip through and are lost, as with meshes that are not watertight
+/// or hits that are tested with an epsilon. In a closed cube about one ray in 2000 is lost.
+std::unique_ptr<Tracer> make_leaky_tracer(const Scene& scene);
+
+/// `Tracer::shoot` in terms of `trace`, for tracers that trace rays one by one.
+/// @param scene  that the tracer was made for
+void shoot_by_tracing(const Tracer& tracer, const Scene& scene, std::uint32_t source, Grid grid, std::uint32_t patch,
+                      const PointBlock& block, std::span<std::uint64_t> hits);
+
 enum class TracerChoice {
     automatic,
     box,
     embree,
-    leaky,  ///< a control (core/tracing/leaky_tracer.hpp)
+    leaky,  ///< a control
 };
 
 /// The box tracer where it applies, unless told otherwise.

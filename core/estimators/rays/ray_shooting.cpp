@@ -2,7 +2,6 @@
 
 #include "core/patches/face_averages.hpp"
 #include "core/support/contract.hpp"
-#include "core/tracing/traceable.hpp"
 #include "core/visibility/mirrors.hpp"
 
 #include <fmt/format.h>
@@ -15,6 +14,23 @@ namespace {
 
 constexpr double analytic_nanoseconds = 1.0;
 constexpr double embree_nanoseconds = 60.0;
+
+/// Single precision traces boxes in this range without loss.
+constexpr double least_edge = 1e-9;
+constexpr double largest_edge = 1e9;
+constexpr double largest_edge_ratio = 1e4;
+
+/// Why the rays of a scene cannot be traced in single precision, and what to do; empty where they can.
+std::string why_not_traceable(const Scene& scene) {
+    if (!scene.empty_box) return {};  // tracers move and scale it
+    const double least = scene.empty_box->minCoeff();
+    const double largest = scene.empty_box->maxCoeff();
+    if (least >= least_edge && largest <= largest_edge && largest <= least * largest_edge_ratio) return {};
+    return fmt::format(
+        "scene '{}' cannot be traced (rays have single precision: edges from {:g} to {:g}, in a ratio of at most "
+        "{:g}). Use another unit of length, or estimator = \"closed_form\".",
+        scene.name, least_edge, largest_edge, largest_edge_ratio);
+}
 
 /// Whether sums of every patch are kept: of more numbers than this a unit of work would be too large to save.
 bool keeps_patches(const Scene& scene, Subdivision subdivision) {

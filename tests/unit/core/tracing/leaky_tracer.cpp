@@ -1,4 +1,4 @@
-#include "core/tracing/leaky_tracer.hpp"
+#include "core/tracing/tracer.hpp"
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/exact/exact.hpp"
