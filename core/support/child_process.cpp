@@ -1,6 +1,5 @@
 #include "core/support/child_process.hpp"
 
-#include "core/support/descriptor.hpp"
 #include "core/support/error.hpp"
 #include "core/support/processor_time.hpp"
 
@@ -24,6 +23,34 @@
 #include <utility>
 
 namespace ff {
+
+/// A file descriptor of this process.
+class Descriptor {
+  public:
+    explicit Descriptor(int number = -1) : number_(number) {}
+    ~Descriptor() { close(); }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+    Descriptor& operator=(Descriptor&&) = delete;
+
+    [[nodiscard]] int number() const { return number_; }
+    [[nodiscard]] bool is_open() const { return number_ >= 0; }
+    void close() {
+        if (number_ >= 0) ::close(number_);
+        number_ = -1;
+    }
+
+  private:
+    int number_;
+};
+
+/// The two ends of a pipe, or of a pair of sockets.
+struct Pipe {
+    Descriptor read;
+    Descriptor write;
+};
+
 namespace {
 
 constexpr std::size_t kept_of_errors = 2000;
