@@ -1,6 +1,7 @@
 #include "core/radiosity/enclosures.hpp"
 
 #include "core/exact/exact.hpp"
+#include "core/radiosity/patch_factors.hpp"
 #include "core/support/contract.hpp"
 #include "core/visibility/mirrors.hpp"
 
@@ -37,9 +38,7 @@ std::optional<Enclosure> box_with_mirror(const Scene& box, int mirror) {
     const Scene room = with_mirrors(box, {&box.faces.at(static_cast<std::size_t>(mirror)), 1});
     auto factors = exact_form_factors(room);
     if (!room.empty_box || !factors) return std::nullopt;
-    Enclosure enclosure{std::move(*factors), Eigen::VectorXd(static_cast<Eigen::Index>(room.faces.size()))};
-    for (Eigen::Index i = 0; i < enclosure.areas.size(); ++i) enclosure.areas[i] = face_area(room, static_cast<int>(i));
-    return enclosure;
+    return Enclosure{std::move(*factors), face_areas(room)};
 }
 
 }  // namespace ff

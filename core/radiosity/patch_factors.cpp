@@ -113,6 +113,12 @@ std::uint32_t radiating_patches(const Scene& scene, Subdivision subdivision) {
     return PatchOrder(scene, subdivision, Numbered::of_faces).size();
 }
 
+Eigen::VectorXd face_areas(const Scene& scene) {
+    Eigen::VectorXd areas(static_cast<Eigen::Index>(scene.faces.size()));
+    for (Eigen::Index i = 0; i < areas.size(); ++i) areas[i] = face_area(scene, static_cast<int>(i));
+    return areas;
+}
+
 Eigen::VectorXd patch_areas(const Scene& scene, Subdivision subdivision) {
     const PatchOrder order(scene, subdivision, Numbered::of_faces);
     Eigen::VectorXd areas(order.size());

@@ -36,6 +36,7 @@ Eigen::MatrixXd kernel_patch_factors(const Scene& scene, Subdivision subdivision
 std::optional<Eigen::MatrixXd> exact_patch_factors(const Scene& scene, Subdivision subdivision);
 bool has_exact_patch_factors(const Scene& scene);
 
+Eigen::VectorXd face_areas(const Scene& scene);
 /// Area of every patch.
 Eigen::VectorXd patch_areas(const Scene& scene, Subdivision subdivision);
 

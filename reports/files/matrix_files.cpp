@@ -6,7 +6,6 @@
 #include "core/support/error.hpp"
 #include "reports/text/labels.hpp"
 #include "studies/radiosity/lighting.hpp"
-#include "studies/radiosity/patch_matrix.hpp"
 #include "studies/radiosity/treatment.hpp"
 
 #include <fmt/format.h>
@@ -165,7 +164,7 @@ std::map<std::string, std::string> matrix_files(const studies::Store& store) {
         const std::string label = fmt::format("{}: {}, trial {}", plan.scenes[cell.scene].name, cell_label(plan, cell),
                                               trials.numbers.front());
         studies::radiosity::Elements faces;
-        faces.areas = studies::radiosity::face_areas(plan.scenes[cell.scene]);
+        faces.areas = face_areas(plan.scenes[cell.scene]);
         faces.sight = studies::radiosity::face_sight(plan.scenes[cell.scene]);
         add(files, folder + "areas", faces.areas, fmt::format("areas of the faces, {}", label));
         add_system(files, folder, label, plan, cell.scene,

@@ -39,6 +39,59 @@ double error_of(const Eigen::MatrixXd& factors, const Eigen::MatrixXd& exact, co
 
 }  // namespace
 
+OverTrials over_trials(std::span<const double> values) {
+    const auto ascending = stats::sorted(values);
+    return {ascending.front(), stats::quantile(ascending, 0.5), ascending.back()};
+}
+
+void SolverRuns::add(const RadiositySystem& system, const SolverOptions& options) {
+    if (solvers_.empty()) {
+        for (const Solver solver : all_solvers) solvers_.emplace_back().statistics.solver = solver;
+    }
+    for (OfSolver& one : solvers_) {
+        SolverRun run = solve(system, one.statistics.solver, options);
+        ++one.statistics.runs;
+        one.statistics.converged += run.outcome == SolverOutcome::converged;
+        one.statistics.diverged += run.outcome == SolverOutcome::diverged;
+        one.statistics.stalled += run.outcome == SolverOutcome::stalled;
+        one.statistics.exhausted += run.outcome == SolverOutcome::exhausted;
+        if (run.outcome == SolverOutcome::converged) {
+            one.iterations.push_back(static_cast<double>(run.iterations()));
+            one.flops.push_back(run.flops);
+        }
+        if (one.statistics.residuals.empty()) one.statistics.residuals = std::move(run.residuals);
+    }
+}
+
+std::vector<SolverStatistics> SolverRuns::finish() {
+    std::vector<SolverStatistics> statistics;
+    for (OfSolver& one : solvers_) {
+        if (!one.iterations.empty()) {
+            one.statistics.iterations = over_trials(one.iterations);
+            one.statistics.flops = over_trials(one.flops).median;
+        }
+        statistics.push_back(std::move(one.statistics));
+    }
+    return statistics;
+}
+
+std::vector<Eigen::VectorXd> solve_with_exact_factors(const Lighting& lighting, const SolverOptions& options,
+                                                      std::size_t scene, std::uint32_t m,
+                                                      const std::function<bool(std::size_t setting)>& with_solvers,
+                                                      std::vector<ExactSystem>& systems) {
+    std::vector<Eigen::VectorXd> exitance;
+    RadiositySystem system = lighting.system(0, lighting.exact);
+    for (std::size_t setting = 0; setting < lighting.reflectance.size(); ++setting) {
+        system.reflectance = lighting.reflectance[setting];
+        SolverRuns runs;
+        if (with_solvers(setting)) runs.add(system, options);
+        auto [properties, solution] = solve_with_properties(system);
+        exitance.push_back(*solution);
+        systems.push_back({scene, m, setting, std::move(*solution), properties, runs.finish()});
+    }
+    return exitance;
+}
+
 void SettingCollector::add(const RadiositySystem& system) {
     const auto [properties, exitance] = solve_with_properties(system);
     ++statistics_.trials;

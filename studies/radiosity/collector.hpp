@@ -2,12 +2,38 @@
 
 #include "studies/radiosity/consequences.hpp"
 #include "studies/radiosity/lighting.hpp"
-#include "studies/radiosity/solver_runs.hpp"
 
+#include <functional>
 #include <span>
 #include <vector>
 
 namespace ff::studies::radiosity {
+
+/// @pre values not empty
+OverTrials over_trials(std::span<const double> values);
+
+/// Runs every solver on the systems of some trials and collects the results.
+class SolverRuns {
+  public:
+    void add(const RadiositySystem& system, const SolverOptions& options);
+    /// Empty where no system was added.
+    std::vector<SolverStatistics> finish();
+
+  private:
+    struct OfSolver {
+        SolverStatistics statistics;
+        std::vector<double> iterations, flops;  // of the runs that converged
+    };
+    std::vector<OfSolver> solvers_;
+};
+
+/// Solves the systems of a lighting with exact factors, and adds them to `systems`.
+/// @param scene, m  as of ExactSystem @param with_solvers  whether every solver is run, by setting
+/// @return their exitances, by setting
+std::vector<Eigen::VectorXd> solve_with_exact_factors(const Lighting& lighting, const SolverOptions& options,
+                                                      std::size_t scene, std::uint32_t m,
+                                                      const std::function<bool(std::size_t setting)>& with_solvers,
+                                                      std::vector<ExactSystem>& systems);
 
 /// Collects the trials of one setting.
 class SettingCollector {

@@ -4,8 +4,6 @@
 #include "studies/radiosity/collector.hpp"
 #include "studies/radiosity/cost.hpp"
 #include "studies/radiosity/lighting.hpp"
-#include "studies/radiosity/patch_matrix.hpp"
-#include "studies/radiosity/solver_runs.hpp"
 #include "studies/run/interruptible_points.hpp"
 
 #include <algorithm>
@@ -14,23 +12,6 @@
 
 namespace ff::studies::radiosity {
 namespace {
-
-/// The systems of a scene with exact factors. @return their exitances, by setting
-std::vector<Eigen::VectorXd> solve_with_exact_factors(const StudyPlan& plan, std::size_t scene, std::uint32_t m,
-                                                      const Lighting& lighting, std::vector<ExactSystem>& systems) {
-    std::vector<Eigen::VectorXd> exitance;
-    RadiositySystem system = lighting.system(0, lighting.exact);
-    for (std::size_t setting = 0; setting < lighting.reflectance.size(); ++setting) {
-        system.reflectance = lighting.reflectance[setting];
-        SolverRuns runs;
-        if (m == 0 || runs_solvers(plan, static_cast<double>(lighting.elements.areas.size()), setting))
-            runs.add(system, solver_options(plan));
-        auto [properties, solution] = solve_with_properties(system);
-        exitance.push_back(*solution);
-        systems.push_back({scene, m, setting, std::move(*solution), properties, runs.finish()});
-    }
-    return exitance;
-}
 
 /// One collector for each treatment. Solvers are run on the method's own completion.
 std::vector<ConsequencesCollector> make_collectors(const StudyPlan& plan, std::size_t cell, const Lighting& lighting,
@@ -52,7 +33,8 @@ void evaluate_between_faces(const Store& store, Results& results) {
     const StudyPlan& plan = store.plan();
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
         const Lighting lighting = light_faces(plan, scene);
-        const auto exitance = solve_with_exact_factors(plan, scene, 0, lighting, results.exact);
+        const auto always = [](std::size_t) { return true; };
+        const auto exitance = solve_with_exact_factors(lighting, solver_options(plan), scene, 0, always, results.exact);
         for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) {
             if (plan.cells[cell].scene != scene) continue;
             const TrialMatrices trials = load_matrices(store, cell);
@@ -91,7 +73,11 @@ void evaluate_between_patches(const Store& store, Results& results, const std::a
         if (stopped()) return;
         const auto [scene, m] = key;
         const Lighting lighting = light_patches(plan, scene, Subdivision{m});
-        const auto exitance = solve_with_exact_factors(plan, scene, m, lighting, results.exact);
+        const auto affordable = [&, n = static_cast<double>(lighting.elements.areas.size())](std::size_t setting) {
+            return runs_solvers(plan, n, setting);
+        };
+        const auto exitance =
+            solve_with_exact_factors(lighting, solver_options(plan), scene, m, affordable, results.exact);
         for (const std::size_t cell : cells) {
             if (stopped()) return;
             const bool counted = estimator_info(plan.spec.methods[plan.cells[cell].method]).observes == Observes::hits;

@@ -127,15 +127,8 @@ EnclosureResults study_enclosure(const EnclosureRequest& request) {
     const Lighting lighting = light(results.of, request.light);
     results.emission = lighting.emission;
     const SolverOptions options{.tolerance = request.light.tolerance};
-    std::vector<Eigen::VectorXd> exitance;
-    for (std::size_t setting = 0; setting < lighting.reflectance.size(); ++setting) {
-        const RadiositySystem system = lighting.system(setting, lighting.exact);
-        SolverRuns runs;
-        runs.add(system, options);
-        auto [properties, solution] = solve_with_properties(system);
-        exitance.push_back(*solution);
-        results.exact.push_back({0, 0, setting, std::move(*solution), properties, runs.finish()});
-    }
+    const auto always = [](std::size_t) { return true; };
+    const auto exitance = solve_with_exact_factors(lighting, options, 0, 0, always, results.exact);
     if (request.trials == 0) return results;
     std::vector<ConsequencesCollector> collectors;
     for (const Treatment treatment : all_treatments) {

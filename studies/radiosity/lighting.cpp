@@ -25,12 +25,6 @@ Eigen::VectorXd for_faces(const std::vector<double>& numbers, Eigen::Index faces
 
 }  // namespace
 
-Eigen::VectorXd face_areas(const Scene& scene) {
-    Eigen::VectorXd areas(static_cast<Eigen::Index>(scene.faces.size()));
-    for (Eigen::Index i = 0; i < areas.size(); ++i) areas[i] = face_area(scene, static_cast<int>(i));
-    return areas;
-}
-
 Sight face_sight(const Scene& scene) {
     Sight sight = all_but_itself(static_cast<Eigen::Index>(scene.faces.size()));
     for (Eigen::Index face = 0; face < sight.rows(); ++face)

@@ -27,7 +27,6 @@ struct PatchLight {
     Eigen::VectorXd emission;
 };
 
-Eigen::VectorXd face_areas(const Scene& scene);
 /// All pairs of faces; a face with itself only where it sees itself.
 Sight face_sight(const Scene& scene);
 

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "core/radiosity/repair.hpp"
+#include "studies/plan/patch_systems.hpp"
 #include "studies/trials/estimates.hpp"
 
 #include <Eigen/Core>
 
 #include <array>
+#include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -42,6 +45,11 @@ struct TrialMatrices {
 };
 
 TrialMatrices load_matrices(const Store& store, std::size_t cell);
+
+/// Direct factors between the patches of a trial. They are not stored; the trial is repeated, with identical results,
+/// since points are addressed. @pre tells_patches_apart @throws Interrupted once `stop` is true
+Eigen::MatrixXd trace_patch_factors(const StudyPlan& plan, std::size_t index, std::uint64_t trial,
+                                    const std::atomic<bool>* stop = nullptr);
 
 /// A treated matrix; empty (0 x 0) where balancing finds none.
 /// @param rays  of each element, where factors are shares of counted hits; else empty
