@@ -32,24 +32,19 @@ constexpr std::size_t samples = 624;  // whole packets
 /// The cube as six quads, one bit of the ray mask each.
 class BareScene {
   public:
-    explicit BareScene(const Scene& scene) : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_)) {
-        rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-        rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_HIGH);
+    explicit BareScene(const Scene& scene) : device_(rtcNewDevice("threads=1")), scene_(rtcNewScene(device_.get())) {
+        rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+        rtcSetSceneBuildQuality(scene_.get(), RTC_BUILD_QUALITY_HIGH);
         for (unsigned i = 0; i < scene.surfaces.size(); ++i) add(parallelogram(scene.surfaces[i]), i);
-        rtcCommitScene(scene_);
+        rtcCommitScene(scene_.get());
     }
-    ~BareScene() {
-        rtcReleaseScene(scene_);
-        rtcReleaseDevice(device_);
-    }
-    BareScene(const BareScene&) = delete;
-    BareScene& operator=(const BareScene&) = delete;
 
-    [[nodiscard]] RTCScene get() const { return scene_; }
+    [[nodiscard]] RTCScene get() const { return scene_.get(); }
 
   private:
     void add(const Parallelogram& shape, unsigned index) {
-        RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_QUAD);
+        const embree::GeometryHandle handle(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_QUAD));
+        RTCGeometry geometry = handle.get();
         auto* vertices = static_cast<float*>(
             rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 4));
         auto* corners = static_cast<unsigned*>(
@@ -62,12 +57,11 @@ class BareScene {
         }
         rtcSetGeometryMask(geometry, 1u << index);
         rtcCommitGeometry(geometry);
-        rtcAttachGeometryByID(scene_, geometry, index);
-        rtcReleaseGeometry(geometry);
+        rtcAttachGeometryByID(scene_.get(), geometry, index);
     }
 
-    RTCDevice device_;
-    RTCScene scene_;
+    embree::Device device_;
+    embree::SceneHandle scene_;
 };
 
 void pack(const RayBatch& rays, std::vector<RTCRayHit8>& packets) {
