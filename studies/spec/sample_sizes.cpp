@@ -3,7 +3,7 @@
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
 #include "core/support/words.hpp"
-#include "samplers/support/size_ladder.hpp"
+#include "samplers/support/sizes.hpp"
 
 #include <fmt/format.h>
 

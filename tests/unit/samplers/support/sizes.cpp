@@ -4,6 +4,7 @@
 #include "samplers/sampler.hpp"
 
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 namespace ff::samplers {
 namespace {
@@ -102,6 +103,40 @@ TEST(CheckSize, KnowsMultiplesOfPowers) {
     EXPECT_FALSE(problem.fatal);
     EXPECT_THAT(problem.message, HasSubstr("at 2 times powers of 5 only). Nearest: 250 = 2 * 5^3 or 1250 = 2 * 5^4."));
     EXPECT_THAT(check_size(powers_of(5, 2), 1).message, HasSubstr("Nearest: 2 = 2 * 5^0 or 10 = 2 * 5^1."));
+}
+
+using testing::ElementsAre;
+
+std::vector<std::uint64_t> ladder(Sizes sizes, std::uint64_t low, std::uint64_t high, std::size_t dimension = 4,
+                                  std::uint32_t base = 2, std::uint32_t multiple = 1) {
+    SamplerInfo info;
+    info.sizes = sizes;
+    info.base = base;
+    info.multiple = multiple;
+    return size_ladder(info, low, high, dimension);
+}
+
+TEST(SizeLadder, TakesPowersOfTheBaseOfANet) {
+    EXPECT_THAT(ladder(Sizes::powers, 64, 512), ElementsAre(64, 128, 256, 512));
+    EXPECT_THAT(ladder(Sizes::powers, 64, 65'536, 4, 5), ElementsAre(125, 625, 3125, 15'625));
+    EXPECT_THAT(ladder(Sizes::powers, 100, 1000, 4, 2, 3), ElementsAre(192, 384, 768));
+}
+
+TEST(SizeLadder, TakesPowersOfTwoWhereEverySizeWillDo) {
+    EXPECT_THAT(ladder(Sizes::any, 60, 300), ElementsAre(64, 128, 256));
+}
+
+// k^4: of 4096 = 8^4 and 6561 = 9^4, both between 2^12 and 2^13, the smaller
+TEST(SizeLadder, TakesOneFullGridAnOctave) {
+    EXPECT_THAT(ladder(Sizes::fourth_power, 64, 10'000), ElementsAre(81, 256, 625, 1296, 2401, 4096, 10'000));
+    EXPECT_THAT(ladder(Sizes::fourth_power, 64, 600, 2), ElementsAre(64, 144, 256, 529));
+}
+
+TEST(SizeLadder, KeepsWithinTheRange) {
+    EXPECT_THAT(ladder(Sizes::powers, 65, 127), ElementsAre());
+    EXPECT_THAT(ladder(Sizes::fourth_power, 1, 1), ElementsAre(1));
+    EXPECT_THAT(ladder(Sizes::powers, max_points / 2, max_points, 4, 5), ElementsAre());
+    EXPECT_THAT(ladder(Sizes::powers, max_points, max_points), ElementsAre(max_points));
 }
 
 }  // namespace
