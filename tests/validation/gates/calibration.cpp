@@ -3,9 +3,9 @@
 #include "stats/basics/distributions.hpp"
 #include "stats/basics/moments.hpp"
 #include "stats/error_rates/power.hpp"
-#include "stats/goodness_of_fit/kolmogorov.hpp"
 #include "stats/means/mean_test.hpp"
 #include "studies/verdicts/measurement.hpp"
+#include "tests/support/kolmogorov.hpp"
 #include "tests/validation/rates/bench.hpp"
 
 #include <fmt/format.h>
@@ -60,7 +60,7 @@ struct CalibrationBench {
             return stats::student_tail((*moments.bias() - experiment.half_width) / *moments.standard_error(),
                                        static_cast<double>(experiment.trials - 1));
         });
-        const auto test = stats::test_uniformity(p);
+        const auto test = test::test_uniformity(p);
         return {.what = what, .n = p.size(), .distance = test->distance, .p = test->p};
     }
 };

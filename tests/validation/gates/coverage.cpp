@@ -3,7 +3,6 @@
 #include "stats/basics/quantiles.hpp"
 #include "stats/convergence/convergence.hpp"
 #include "stats/goodness_of_fit/anderson_darling.hpp"
-#include "stats/goodness_of_fit/kolmogorov.hpp"
 #include "stats/means/mean_interval.hpp"
 #include "stats/means/two_stage.hpp"
 #include "stats/variances/spread.hpp"
@@ -11,6 +10,7 @@
 #include "studies/comparison/rivals.hpp"
 #include "studies/diagnostics/variance_reduction.hpp"
 #include "studies/verdicts/measurement.hpp"
+#include "tests/support/kolmogorov.hpp"
 
 #include <fmt/format.h>
 
@@ -241,7 +241,7 @@ void add_distributions(CoverageTable& table) {
         "distribution: Dvoretzky-Kiefer-Wolfowitz band, n = 50", RateClaim::at_least, 1, [](stats::Draws& draws) {
             std::vector<double> values(50);
             for (double& value : values) value = draws.uniform();
-            return stats::test_uniformity(values)->distance <= stats::dkw_half_width(values.size(), nominal_level);
+            return test::test_uniformity(values)->distance <= stats::dkw_half_width(values.size(), nominal_level);
         });
 }
 

@@ -2,7 +2,7 @@
 
 #include "stats/basics/distributions.hpp"
 #include "stats/goodness_of_fit/chi_squared.hpp"
-#include "stats/goodness_of_fit/kolmogorov.hpp"
+#include "tests/support/kolmogorov.hpp"
 #include "tests/support/statistical_assertions.hpp"
 
 #include <gtest/gtest.h>
@@ -33,9 +33,9 @@ TEST(Draws, AreUniform) {
     Draws draws(draws_key, Resampling::jitter, 0);
     std::vector<double> values(1000);
     for (double& value : values) value = draws.uniform();
-    EXPECT_GT(test_uniformity(values)->p, 1e-6);
+    EXPECT_GT(test::test_uniformity(values)->p, 1e-6);
     for (double& value : values) value *= 0.8;  // the check notices this
-    EXPECT_LT(test_uniformity(values)->p, 1e-6);
+    EXPECT_LT(test::test_uniformity(values)->p, 1e-6);
 }
 
 TEST(Draws, AreUniformBelowABoundWhereModuloWouldNotBe) {

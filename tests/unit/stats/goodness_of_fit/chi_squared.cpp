@@ -1,6 +1,6 @@
 #include "stats/goodness_of_fit/chi_squared.hpp"
 
-#include "stats/goodness_of_fit/kolmogorov.hpp"
+#include "tests/support/kolmogorov.hpp"
 #include "tests/support/statistical_assertions.hpp"
 #include "tests/unit/stats/samples.hpp"
 
@@ -85,8 +85,8 @@ TEST(CombineDeviations, GivesUniformPValuesOnlyWithTheCorrelations) {
         right.push_back(combine_deviations(values, covariance)->chi_squared.p);
         wrong.push_back(combine_deviations(values, diagonal)->chi_squared.p);
     }
-    EXPECT_GT(test_uniformity(right)->p, 1e-6);
-    EXPECT_LT(test_uniformity(wrong)->p, 1e-6);
+    EXPECT_GT(test::test_uniformity(right)->p, 1e-6);
+    EXPECT_LT(test::test_uniformity(wrong)->p, 1e-6);
 }
 
 // from scipy.stats import chisquare; chisquare([18, 25, 30, 27], [20, 25, 25, 30])

@@ -1,7 +1,6 @@
-#include "stats/goodness_of_fit/kolmogorov.hpp"
+#include "tests/support/kolmogorov.hpp"
 
 #include "stats/goodness_of_fit/anderson_darling.hpp"
-
 #include "tests/support/statistical_assertions.hpp"
 #include "tests/unit/stats/samples.hpp"
 
@@ -18,7 +17,7 @@ namespace {
 // from scipy.stats import _ksstats; _ksstats._kolmogn_Pomeranz(n, d, False): exact, by another algorithm
 TEST(KolmogorovTail, IsExactUpToTwoThousand) {
     const auto close = [](std::size_t n, double d, double expected) {
-        EXPECT_NEAR(kolmogorov_tail(n, d) / expected, 1, 1e-9) << n << ' ' << d;
+        EXPECT_NEAR(test::kolmogorov_tail(n, d) / expected, 1, 1e-9) << n << ' ' << d;
     };
     close(1, 0.7, 0.6);
     close(5, 0.15, 0.9988);
@@ -34,27 +33,27 @@ TEST(KolmogorovTail, IsExactUpToTwoThousand) {
 
 // from scipy.stats import kstwo; kstwo.sf(d, n)
 TEST(KolmogorovTail, AgreesWithScipyInTheFarTail) {
-    EXPECT_NEAR(kolmogorov_tail(1000, 0.1) / 3.703687096817711e-09, 1, 1e-9);
-    EXPECT_NEAR(kolmogorov_tail(5000, 0.05) / 2.6523052328711187e-11, 1, 1e-9);
+    EXPECT_NEAR(test::kolmogorov_tail(1000, 0.1) / 3.703687096817711e-09, 1, 1e-9);
+    EXPECT_NEAR(test::kolmogorov_tail(5000, 0.05) / 2.6523052328711187e-11, 1, 1e-9);
 }
 
 TEST(KolmogorovTail, IsAsymptoticBeyondTwoThousand) {
-    EXPECT_NEAR(kolmogorov_tail(5000, 0.01), 0.6954557253913853, 1e-5);
-    EXPECT_NEAR(kolmogorov_tail(2001, 0.02), kolmogorov_tail(2000, 0.02), 5e-4);
-    EXPECT_NEAR(kolmogorov_tail(1'000'000, 0.001), 0.27, 1e-3);  // limiting law at z = 1
+    EXPECT_NEAR(test::kolmogorov_tail(5000, 0.01), 0.6954557253913853, 1e-5);
+    EXPECT_NEAR(test::kolmogorov_tail(2001, 0.02), test::kolmogorov_tail(2000, 0.02), 5e-4);
+    EXPECT_NEAR(test::kolmogorov_tail(1'000'000, 0.001), 0.27, 1e-3);  // limiting law at z = 1
 }
 
 TEST(KolmogorovTail, IsOneAndZeroAtTheEnds) {
-    EXPECT_EQ(kolmogorov_tail(10, 0.05), 1);  // no sample of 10 comes closer
-    EXPECT_EQ(kolmogorov_tail(10, 1), 0);
+    EXPECT_EQ(test::kolmogorov_tail(10, 0.05), 1);  // no sample of 10 comes closer
+    EXPECT_EQ(test::kolmogorov_tail(10, 1), 0);
 }
 
 // from scipy.stats import kstest; kstest([.1, .15, .4, .43, .7, .71, .95], 'uniform')
 TEST(UniformityTest, AgreesWithScipy) {
-    const auto test = test_uniformity(std::array{0.7, 0.1, 0.15, 0.4, 0.43, 0.71, 0.95});
+    const auto test = test::test_uniformity(std::array{0.7, 0.1, 0.15, 0.4, 0.43, 0.71, 0.95});
     EXPECT_NEAR(test->distance, 0.14714285714285713, 1e-15);
     EXPECT_NEAR(test->p, 0.9913955323659152, 1e-10);
-    EXPECT_FALSE(test_uniformity({}));
+    EXPECT_FALSE(test::test_uniformity({}));
 }
 
 // Risks: 1e-6; a level off by .015 is noticed with power .99.
@@ -64,9 +63,9 @@ TEST(UniformityTest, RejectsUniformValuesAtItsLevelAndFindsSquaredOnes) {
     std::uint64_t found = 0;
     for (int i = 0; i < 12'000; ++i) {
         auto values = test::sample(std::uniform_real_distribution<double>(), 40, engine);
-        false_alarms += test_uniformity(values)->p < 0.05 ? 1u : 0u;
+        false_alarms += test::test_uniformity(values)->p < 0.05 ? 1u : 0u;
         for (double& value : values) value *= value;
-        found += test_uniformity(values)->p < 0.05 ? 1u : 0u;
+        found += test::test_uniformity(values)->p < 0.05 ? 1u : 0u;
     }
     EXPECT_TRUE(test::has_probability(false_alarms, 12'000, 0.05, {.detects = 0.015}));
     EXPECT_TRUE(test::has_probability_at_least(found, 12'000, 0.8, {.detects = 0.03}));
@@ -80,7 +79,7 @@ TEST(DkwBand, HasMassartsWidth) {
 // Coverage = 1 - P(D_n > half width) exactly, for continuous data.
 TEST(DkwBand, CoversAtItsLevelForEverySize) {
     for (const std::size_t n : {1u, 2u, 10u, 100u, 1000u}) {
-        const double missed = kolmogorov_tail(n, dkw_half_width(n, 0.95));
+        const double missed = test::kolmogorov_tail(n, dkw_half_width(n, 0.95));
         EXPECT_LE(missed, 0.05);
         if (n >= 100) {
             EXPECT_GT(missed, 0.04);

@@ -1,12 +1,10 @@
 #pragma once
 
-#include "stats/basics/interval.hpp"
-
 #include <cstddef>
 #include <optional>
 #include <span>
 
-namespace ff::stats {
+namespace ff::test {
 
 /// P(D_n > d), D_n the two-sided Kolmogorov-Smirnov distance of n values from their continuous distribution. Exact up
 /// to n = 2000 [marsaglia2003], with the tail from Smirnov's one-sided law [simard2011]; asymptotic with a correction
@@ -21,4 +19,4 @@ struct KolmogorovTest {
 /// Test of uniformity on [0, 1], e.g. of the p-values of another test. Empty without values.
 std::optional<KolmogorovTest> test_uniformity(std::span<const double> values);
 
-}  // namespace ff::stats
+}  // namespace ff::test

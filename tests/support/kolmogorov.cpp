@@ -1,7 +1,8 @@
-#include "stats/goodness_of_fit/kolmogorov.hpp"
+#include "tests/support/kolmogorov.hpp"
 
 #include "core/support/contract.hpp"
 #include "stats/basics/quantiles.hpp"
+#include "stats/goodness_of_fit/anderson_darling.hpp"
 
 #include <Eigen/Core>
 #include <boost/math/special_functions/gamma.hpp>
@@ -11,7 +12,7 @@
 #include <numbers>
 #include <vector>
 
-namespace ff::stats {
+namespace ff::test {
 namespace {
 
 /// A matrix times 10^exponent.
@@ -123,16 +124,10 @@ double kolmogorov_tail(std::size_t n, double d) {
 
 std::optional<KolmogorovTest> test_uniformity(std::span<const double> values) {
     if (values.empty()) return std::nullopt;
-    const std::vector<double> ascending = sorted(values);
-    const double n = static_cast<double>(ascending.size());
-    double distance = 0;
-    for (std::size_t i = 0; i < ascending.size(); ++i) {
-        const double x = std::clamp(ascending[i], 0.0, 1.0);
-        const double below = static_cast<double>(i) / n;
-        const double upto = static_cast<double>(i + 1) / n;
-        distance = std::max({distance, x - below, upto - x});
-    }
+    std::vector<double> ascending = stats::sorted(values);
+    for (double& value : ascending) value = std::clamp(value, 0.0, 1.0);
+    const double distance = stats::kolmogorov_distance(ascending);
     return KolmogorovTest{.distance = distance, .p = kolmogorov_tail(ascending.size(), distance)};
 }
 
-}  // namespace ff::stats
+}  // namespace ff::test
