@@ -2,8 +2,6 @@
 
 #include "core/estimators/estimator.hpp"
 
-#include <utility>
-
 namespace ff {
 
 /// The one way to make an estimator: a class with

@@ -1,12 +1,10 @@
 #include "core/estimators/graded_map.hpp"
 
-#include "core/geometry/surface_map.hpp"
 #include "core/support/contract.hpp"
 #include "core/visibility/occlusion.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <numbers>
 
 namespace ff {
 namespace {

@@ -5,9 +5,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <utility>
 
 namespace ff {
 namespace {

@@ -11,8 +11,6 @@
 
 #include <hwy/highway.h>
 
-#include <cstdint>
-
 HWY_BEFORE_NAMESPACE();
 namespace ff {
 namespace HWY_NAMESPACE {

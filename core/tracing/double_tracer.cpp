@@ -1,5 +1,4 @@
 #include "core/geometry/box_tree.hpp"
-#include "core/geometry/placement.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/support/contract.hpp"
 #include "core/tracing/rays.hpp"

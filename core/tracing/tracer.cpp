@@ -7,7 +7,6 @@
 #include "core/visibility/mirrors.hpp"
 
 #include <utility>
-#include <vector>
 
 namespace ff {
 namespace {

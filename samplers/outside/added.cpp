@@ -4,7 +4,6 @@
 #include "samplers/support/entry.hpp"
 
 #include <map>
-#include <mutex>
 
 #include <fmt/format.h>
 

@@ -4,7 +4,6 @@
 #include "samplers/support/owen_hash.hpp"
 
 #include <algorithm>
-#include <bit>
 
 namespace ff::samplers {
 namespace {

@@ -1,5 +1,7 @@
 #include "samplers/support/entry.hpp"
 
+#include "core/support/error.hpp"
+
 #include <fmt/format.h>
 
 namespace ff::samplers {

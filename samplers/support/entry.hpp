@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/support/contract.hpp"
-#include "core/support/error.hpp"
 #include "samplers/sampler.hpp"
 
 #include <memory>

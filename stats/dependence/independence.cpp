@@ -3,7 +3,6 @@
 #include "core/support/contract.hpp"
 #include "stats/basics/distributions.hpp"
 
-#include <cmath>
 #include <numeric>
 #include <vector>
 

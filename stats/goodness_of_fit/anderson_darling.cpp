@@ -3,7 +3,6 @@
 #include "core/support/contract.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -3,7 +3,6 @@
 #include "stats/basics/interval.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
 

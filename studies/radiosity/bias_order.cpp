@@ -3,7 +3,6 @@
 #include "stats/convergence/line_fit.hpp"
 #include "studies/plan/ladders.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace ff::studies::radiosity {

@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 
 #include <cstdint>
-#include <optional>
 #include <string>
 
 namespace ff {

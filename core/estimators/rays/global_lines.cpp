@@ -6,13 +6,10 @@
 #include "core/geometry/unit_circle.hpp"
 #include "core/visibility/mirrors.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
-#include <vector>
 
 namespace ff {
 namespace {

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <string>
 #include <vector>
 
 namespace ff {
