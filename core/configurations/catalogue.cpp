@@ -1,15 +1,9 @@
 #include "core/configurations/catalogue.hpp"
 
+#include "core/configurations/closed_forms.hpp"
 #include "core/configurations/families.hpp"
-#include "core/configurations/formulas/aperture.hpp"
-#include "core/configurations/formulas/cylinder_and_cone.hpp"
-#include "core/configurations/formulas/discs.hpp"
-#include "core/configurations/formulas/endless.hpp"
-#include "core/configurations/formulas/nested_cubes.hpp"
-#include "core/configurations/formulas/pi.hpp"
-#include "core/configurations/formulas/polygons.hpp"
-#include "core/configurations/formulas/rectangle_element.hpp"
-#include "core/configurations/formulas/spheres.hpp"
+#include "core/configurations/parameters.hpp"
+#include "core/configurations/past_obstacles.hpp"
 #include "core/configurations/scenes.hpp"
 #include "core/formulas/rectangle_formulas.hpp"
 
@@ -60,11 +54,11 @@ constexpr std::array catalogue{
                   [] { return rectangles_at_angle_factor(1, 1, 1, pi / 3); },
                   [] { return scenes::rectangles_at_angle(1, 1, 1, 60); }},
     Configuration{"R10", "tetrahedron", "two faces of a regular tetrahedron",
-                  "contour integral; 1/3 by symmetry and closure", "sparrow1963", surfaces, false,
-                  [] { return tetrahedron_factor(); }, [] { return scenes::tetrahedron(); }},
+                  "contour integral; 1/3 by symmetry and closure", "sparrow1963", surfaces, false, tetrahedron_factor,
+                  scenes::tetrahedron},
     Configuration{"R11", "parallel_right_triangles", "the same half of two opposite faces of a unit cube",
-                  "contour integral", "sparrow1963", surfaces, false, [] { return parallel_right_triangles_factor(); },
-                  [] { return scenes::parallel_right_triangles(); }},
+                  "contour integral", "sparrow1963", surfaces, false, parallel_right_triangles_factor,
+                  scenes::parallel_right_triangles},
     Configuration{"R13", "coaxial_discs_equal", "coaxial discs of radius 1, 1 apart", "C-41 with R1 = R2 = 1", "howell",
                   surfaces, false, [] { return coaxial_discs_factor(1, 1, 1); },
                   [] { return scenes::coaxial_discs(1, 1, 1); }},
@@ -78,21 +72,21 @@ constexpr std::array catalogue{
                   false, [] { return element_to_rectangle_factor(1, 1, 1); }},
     Configuration{"R17", "sphere_to_disc", "sphere to a coaxial disc of radius 1, its centre 2 away",
                   "(1 - 1/sqrt(1 + (r/h)^2)) / 2, for every sphere that does not reach the disc's plane", "howell",
-                  surfaces, false, [] { return sphere_to_disc_factor(1, 2); }, [] { return scenes::sphere_to_disc(); }},
+                  surfaces, false, [] { return sphere_to_disc_factor(1, 2); }, scenes::sphere_to_disc},
     Configuration{"R20", "cylinder_wall", "wall of a cylinder of radius 1 and height 2, to itself",
                   "1 + H - sqrt(1 + H^2) with H = h / 2r = 1", "howell", surfaces, false,
-                  [] { return cylinder_wall_to_itself_factor(1, 2); }, [] { return scenes::cylinder_wall(); }, 0, 0},
+                  [] { return cylinder_wall_to_itself_factor(1, 2); }, scenes::cylinder_wall, 0, 0},
     Configuration{"R21", "cylinder_base_to_wall", "base of a cylinder of radius 1 and height 2, to its wall",
                   "2 H / (H + sqrt(1 + H^2)) with H = h / 2r = 1", "howell", surfaces, false,
-                  [] { return cylinder_base_to_wall_factor(1, 2); }, [] { return scenes::cylinder_base(); }},
+                  [] { return cylinder_base_to_wall_factor(1, 2); }, scenes::cylinder_base},
     Configuration{"R22", "sphere_caps", "cap of height 0.5 of a sphere of radius 1, to the opposite one, inside",
                   "h / 2R, the share of the sphere's area", "howell", surfaces, false,
-                  [] { return sphere_cap_factor(1, 0.5L); }, [] { return scenes::sphere_caps(); }},
+                  [] { return sphere_cap_factor(1, 0.5L); }, scenes::sphere_caps},
     Configuration{"R23", "hemisphere", "inside of a hemisphere, to itself", "h / 2R with h = R", "howell", surfaces,
-                  false, [] { return sphere_cap_factor(1, 1); }, [] { return scenes::hemisphere(); }, 0, 0},
+                  false, [] { return sphere_cap_factor(1, 1); }, scenes::hemisphere, 0, 0},
     Configuration{"R24", "cone_wall", "wall of a cone of radius 1 and height 1, to itself, inside",
                   "1 - r / sqrt(r^2 + h^2)", "howell", surfaces, false, [] { return cone_wall_to_itself_factor(1, 1); },
-                  [] { return scenes::cone_wall(); }, 0, 0},
+                  scenes::cone_wall, 0, 0},
     Configuration{"R27", "wedge", "infinite plates of equal width, at right angles", "1 - sin(angle / 2)", "hottel1954",
                   endless, false, [] { return wedge_factor(pi / 2); }},
     Configuration{"R29", "plane_to_tubes", "infinite plane to a row of tubes, axes two diameters apart",
@@ -113,8 +107,7 @@ constexpr std::array catalogue{
                   [] { return l_shaped_room_exchange_area(2) / 9; }, [] { return scenes::l_shaped_room(2); }},
     Configuration{"O05", "concentric_spheres", "sphere of radius 2, inside, to itself past one of radius 1",
                   "1 - (r1 / r2)^2, by reciprocity and closure", "howell", surfaces, true,
-                  [] { return outer_sphere_to_itself_factor(1, 2); }, [] { return scenes::concentric_spheres(); }, 0,
-                  0},
+                  [] { return outer_sphere_to_itself_factor(1, 2); }, scenes::concentric_spheres, 0, 0},
     Configuration{"O08", "discs_blocked",
                   "disc of radius 0.5 to a coaxial one of radius 1, 1 apart, past one of radius 0.25 halfway",
                   "difference of two C-41; all of the blocker's shadow falls on the second disc", "howell", surfaces,
@@ -122,7 +115,7 @@ constexpr std::array catalogue{
                   [] {
                       return blocked_coaxial_discs_factor(0.5L, 1, 1, {0.25L, 0.5L});
                   },
-                  [] { return scenes::discs_blocked(); }},
+                  scenes::discs_blocked},
     Configuration{"O11a", "nested_cubes_opposite", "opposite faces of a cube of 6, past a cube of 2 in its middle",
                   "closed form, and Gauss's rule for the corners of the shadow", "ehlert1993", surfaces, true,
                   [] { return nested_cubes_opposite_factor(2, 6); }, [] { return scenes::nested_cubes(2); }, 0, 2,

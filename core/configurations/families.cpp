@@ -1,7 +1,6 @@
 #include "core/configurations/families.hpp"
 
-#include "core/configurations/formulas/aperture.hpp"
-#include "core/configurations/formulas/nested_cubes.hpp"
+#include "core/configurations/past_obstacles.hpp"
 #include "core/configurations/scenes.hpp"
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"

@@ -1,6 +1,6 @@
 #include "core/exact/round_room.hpp"
 
-#include "core/configurations/formulas/discs.hpp"
+#include "core/configurations/closed_forms.hpp"
 #include "core/support/overloaded.hpp"
 #include "core/visibility/mirrors.hpp"
 

@@ -1,6 +1,6 @@
 #include "tests/validation/heat/known_flows.hpp"
 
-#include "core/configurations/formulas/cylinder_and_cone.hpp"
+#include "core/configurations/closed_forms.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
 #include <array>

@@ -1,4 +1,4 @@
-#include "core/configurations/formulas/endless.hpp"
+#include "core/configurations/closed_forms.hpp"
 
 #include "core/support/error.hpp"
 #include "tests/unit/core/configurations/extended_precision.hpp"

@@ -6,7 +6,7 @@
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/configurations/catalogue.hpp"
-#include "core/configurations/formulas/rectangle_element.hpp"
+#include "core/configurations/closed_forms.hpp"
 #include "core/exact/known_factors.hpp"
 #include "core/geometry/aligned_rectangle.hpp"
 #include "core/support/error.hpp"

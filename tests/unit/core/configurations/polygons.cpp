@@ -1,4 +1,4 @@
-#include "core/configurations/formulas/polygons.hpp"
+#include "core/configurations/closed_forms.hpp"
 
 #include "core/formulas/rectangle_formulas.hpp"
 #include "core/support/error.hpp"

@@ -1,9 +1,6 @@
 // Discs, spheres, cylinders, cones and elements of area against integrals of the kernel, and against each other.
 
-#include "core/configurations/formulas/cylinder_and_cone.hpp"
-#include "core/configurations/formulas/discs.hpp"
-#include "core/configurations/formulas/rectangle_element.hpp"
-#include "core/configurations/formulas/spheres.hpp"
+#include "core/configurations/closed_forms.hpp"
 #include "core/support/error.hpp"
 #include "tests/unit/core/configurations/extended_precision.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/aligned_rectangle.hpp"
+#include "core/formulas/rectangle_formulas.hpp"
 
 namespace ff {
 
@@ -33,5 +33,18 @@ long double squares_blocked_factor(long double edge);
 /// From the wall of 3 x 3 of an L-shaped room to the end of 1 x 3 of the other leg, which is `depth` behind the corner.
 /// The mouth of the leg is the aperture.
 long double l_shaped_room_exchange_area(long double depth);
+
+/// A cube in the middle of a larger one, edges parallel: factors between faces of the larger one, seen past the opaque
+/// smaller one. Dimensionless, within 1e-17; edges in one unit.
+/// Both throw UserError unless 0 < inner < outer.
+
+/// Between opposite faces. For a displacement (u, v), the inner cube blocks a hexagon: the box around the shadows of
+/// its two faces without two triangular corners. The box has a closed form (the same as an aperture's); the corners,
+/// smooth in four pieces, are integrated by Gauss's rule with 30 x 30 nodes each.
+long double nested_cubes_opposite_factor(long double inner, long double outer);
+
+/// Between adjacent faces: by closure, since a face of the outer cube sends (inner / outer)^2 to the inner one, by
+/// reciprocity.
+long double nested_cubes_adjacent_factor(long double inner, long double outer);
 
 }  // namespace ff
