@@ -2,6 +2,7 @@
 
 #include "core/formulas/rectangle_formulas.hpp"
 #include "core/geometry/aligned_rectangle.hpp"
+#include "core/geometry/convex_polygon.hpp"
 #include "core/support/contract.hpp"
 #include "core/visibility/mirrors.hpp"
 #include "core/visibility/occlusion.hpp"
@@ -84,6 +85,10 @@ std::optional<double> exact_exchange_area(const Surface& from, const Surface& to
 
 std::optional<double> extended_exchange_area(const Surface& from, const Surface& to) {
     return exchange_area_of_rectangles<long double>(from, to);
+}
+
+double squared_extent(const Surface& from, const Surface& to) {
+    return box_around(corners(from.shape)).merged(box_around(corners(to.shape))).diagonal().squaredNorm();
 }
 
 std::optional<double> exact_form_factor(const Scene& scene, int from_face, int to_face) {

@@ -25,6 +25,9 @@ std::optional<double> exact_exchange_area(const Surface& from, const Surface& to
 /// of the result.
 std::optional<double> extended_exchange_area(const Surface& from, const Surface& to);
 
+/// Squared diagonal of the box around two polygons: errors of exchange areas are relative to it.
+double squared_extent(const Surface& from, const Surface& to);
+
 /// Form factor between two faces. This and the functions below compute in extended precision where the machine has it,
 /// some ten times slower: exchange areas are within 1e-18 of the squared extent, so that factors between faces that are
 /// not far apart are right to the last digits of a double.

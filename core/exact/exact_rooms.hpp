@@ -14,7 +14,7 @@ namespace ff {
 /// - convex, with flat walls of three or four corners: by contour integrals (core/formulas/polygon_exchange.hpp), of up
 /// to 64
 ///   surfaces;
-/// - convex and of revolution (core/exact/round_room.hpp);
+/// - convex and of revolution;
 /// - a sphere from inside with another in it: all that leaves the inner one reaches the outer, the rest follows
 ///   by reciprocity and closure. They include factors of faces with themselves, whether concave or opposite a
 ///   mirror.

@@ -1,7 +1,6 @@
 #include "core/exact/pair_exchange.hpp"
 
 #include "core/exact/exact.hpp"
-#include "core/exact/squared_extent.hpp"
 #include "core/formulas/far_exchange.hpp"
 #include "core/formulas/polygon_exchange.hpp"
 #include "core/visibility/occlusion.hpp"
@@ -13,10 +12,6 @@ namespace {
 
 /// Each is cut out of every piece of a polygon; of more, rays cost less.
 constexpr std::size_t most_blockers = 256;
-
-bool is_polygon(const Surface& surface) {
-    return !corners(surface.shape).empty();
-}
 
 BoundedValue<double> contour_exchange(const Surface& from, const Surface& to, double wanted) {
     const auto brief = polygon_exchange_area<double>(corners_of<double>(from), corners_of<double>(to));
@@ -56,7 +51,7 @@ Candidate clear_polygons(const Surface& from, const Surface& to, double wanted) 
 
 /// The exchange of surfaces with nothing in between. Its area is empty where a surface is not a polygon.
 PairExchange clear_exchange(const Surface& from, const Surface& to, double wanted) {
-    if (!is_polygon(from) || !is_polygon(to)) {
+    if (!is_polygon(from.shape) || !is_polygon(to.shape)) {
         return {ExchangeMethod::rays, ExchangeReason::curved, std::nullopt, {}};
     }
     const Candidate best = clear_polygons(from, to, wanted);
@@ -67,58 +62,6 @@ PairExchange clear_exchange(const Surface& from, const Surface& to, double wante
 }
 
 }  // namespace
-
-std::string_view name(ExchangeMethod method) {
-    switch (method) {
-        case ExchangeMethod::none:
-            return "none";
-        case ExchangeMethod::closed_form:
-            return "closed_form";
-        case ExchangeMethod::contour:
-            return "contour";
-        case ExchangeMethod::quadrature:
-            return "quadrature";
-        case ExchangeMethod::remainder:
-            return "remainder";
-        case ExchangeMethod::bounds:
-            return "bounds";
-        case ExchangeMethod::cells:
-            return "cells";
-        case ExchangeMethod::points:
-            return "points";
-        case ExchangeMethod::rays:
-            break;
-    }
-    return "rays";
-}
-
-std::string_view in_words(ExchangeReason reason) {
-    switch (reason) {
-        case ExchangeReason::turned_away:
-            return "cannot see each other";
-        case ExchangeReason::aligned:
-            return "aligned rectangles with nothing in between";
-        case ExchangeReason::far:
-            return "polygons far apart with nothing in between";
-        case ExchangeReason::polygons:
-            return "polygons with nothing in between";
-        case ExchangeReason::small:
-            return "less than the tolerance, whatever stands in between";
-        case ExchangeReason::blocked:
-            return "polygons, something may stand in between";
-        case ExchangeReason::curved:
-            return "something is curved";
-        case ExchangeReason::many_blockers:
-            return "much may stand in between";
-        case ExchangeReason::covers:
-            return "one covers a part of the other";
-        case ExchangeReason::leaves:
-            return "leaves the scene";
-        case ExchangeReason::many_surfaces:
-            break;
-    }
-    return "too many surfaces to look at each pair";
-}
 
 PairExchange pair_exchange(const Occluders& occluders, std::size_t from_index, std::size_t to_index, double wanted) {
     const Surface& from = occluders.surfaces()[from_index];
@@ -131,11 +74,11 @@ PairExchange pair_exchange(const Surface& from, const Surface& to, const Occlude
     if (between.all_hidden) return {};
     const std::vector<Blocker>& blockers = between.occluders;
     PairExchange result = clear_exchange(from, to, wanted);
-    const auto is_flat_sided = [](const Blocker& blocker) { return is_polygon(*blocker.surface); };
+    const auto is_flat_sided = [](const Blocker& blocker) { return is_polygon(blocker.surface->shape); };
     const bool cut_out = std::all_of(blockers.begin(), blockers.end(), is_flat_sided);
     if (result.method == ExchangeMethod::rays) {
         // Places on a curved surface see a polygon just as well.
-        if (!(cut_out && (is_polygon(from) || is_polygon(to)))) return result;
+        if (!(cut_out && (is_polygon(from.shape) || is_polygon(to.shape)))) return result;
         result.method = ExchangeMethod::cells;
     } else if (blockers.empty()) {
         return result;

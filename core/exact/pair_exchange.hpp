@@ -4,6 +4,8 @@
 #include "core/geometry/scene.hpp"
 #include "core/visibility/occluders.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -25,7 +27,13 @@ enum class ExchangeMethod : std::uint8_t {
     rays,         ///< sampled rays; always possible
 };
 
-std::string_view name(ExchangeMethod method);
+/// Their names, in order.
+inline constexpr std::array<std::string_view, 9> exchange_methods{
+    "none", "closed_form", "contour", "quadrature", "remainder", "bounds", "cells", "points", "rays"};
+
+constexpr std::string_view name(ExchangeMethod method) {
+    return exchange_methods.at(static_cast<std::size_t>(method));
+}
 
 /// Why a pair of surfaces is done by its method, in a few words.
 enum class ExchangeReason : std::uint8_t {
@@ -42,7 +50,24 @@ enum class ExchangeReason : std::uint8_t {
     many_surfaces,  ///< the scene has too many surfaces to test what may stand in between
 };
 
-std::string_view in_words(ExchangeReason reason);
+/// They in words, in order.
+inline constexpr std::array<std::string_view, 11> exchange_reasons{
+    "cannot see each other",
+    "aligned rectangles with nothing in between",
+    "polygons with nothing in between",
+    "polygons far apart with nothing in between",
+    "less than the tolerance, whatever stands in between",
+    "polygons, something may stand in between",
+    "something is curved",
+    "much may stand in between",
+    "one covers a part of the other",
+    "leaves the scene",
+    "too many surfaces to look at each pair",
+};
+
+constexpr std::string_view in_words(ExchangeReason reason) {
+    return exchange_reasons.at(static_cast<std::size_t>(reason));
+}
 
 /// What is known of the exchange area A_1 F_12 of two surfaces beforehand.
 struct PairExchange {

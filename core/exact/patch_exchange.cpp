@@ -1,9 +1,7 @@
 #include "core/exact/patch_exchange.hpp"
 
 #include "core/exact/exact.hpp"
-#include "core/exact/squared_extent.hpp"
 #include "core/formulas/polygon_exchange.hpp"
-#include "core/geometry/aligned_rectangle.hpp"
 
 #include <Eigen/Core>
 

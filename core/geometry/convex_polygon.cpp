@@ -14,6 +14,12 @@ ConvexPolygon outline(const Surface& surface) {
     return polygon;
 }
 
+Eigen::AlignedBox3d box_around(std::span<const Vector3d> places) {
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& place : places) box.extend(place);
+    return box;
+}
+
 void turn_around(ConvexPolygon& polygon, const Vector3d& normal) {
     if (twice_area(polygon).dot(normal) < 0) std::reverse(polygon.begin(), polygon.end());
 }

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace ff {
@@ -35,6 +36,9 @@ template <class AnyPolygon>
 auto polygon_area(const AnyPolygon& polygon) {
     return twice_area(polygon).norm() / 2;
 }
+
+/// The axis-aligned box around places.
+Eigen::AlignedBox3d box_around(std::span<const Eigen::Vector3d> places);
 
 /// Reverses the corners where that makes them counter-clockwise around a normal.
 void turn_around(ConvexPolygon& polygon, const Eigen::Vector3d& normal);

@@ -68,7 +68,7 @@ FacetedScene with_facets(const Scene& scene, std::size_t facets) {
     result.scene = scene;
     result.scene.surfaces.clear();
     for (const Surface& surface : scene.surfaces) {
-        if (!corners(surface.shape).empty()) {
+        if (is_polygon(surface.shape)) {
             result.scene.surfaces.push_back(surface);
             continue;
         }

@@ -83,6 +83,14 @@ bool has_grids(const Scene& scene) {
                        [](const Surface& surface) { return surface.grid != undivided; });
 }
 
+std::vector<const Surface*> surfaces_of(const Scene& scene, int face) {
+    std::vector<const Surface*> own;
+    for (const Surface& surface : scene.surfaces) {
+        if (surface.face == face) own.push_back(&surface);
+    }
+    return own;
+}
+
 double face_area(const Scene& scene, int face) {
     FF_EXPECT(face >= 0 && static_cast<std::size_t>(face) < scene.faces.size());
     double sum = 0;

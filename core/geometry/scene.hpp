@@ -102,6 +102,9 @@ bool has_only_parallelograms(const Scene& scene);
 /// Whether some surface is divided.
 bool has_grids(const Scene& scene);
 
+/// The surfaces of a face.
+std::vector<const Surface*> surfaces_of(const Scene& scene, int face);
+
 /// Total area of a face.
 double face_area(const Scene& scene, int face);
 

@@ -122,18 +122,12 @@ constexpr double noise_of_size = 5e-16;
 /// Edges that are shorter, as a share of a polygon's size, have no direction; nor have axes of that sine.
 constexpr double least_sine = 1e-9;
 
-double size_of(std::span<const Vector3d> corners) {
-    Eigen::AlignedBox3d box;
-    for (const Vector3d& corner : corners) box.extend(corner);
-    return box.isEmpty() ? 0 : box.sizes().maxCoeff();
-}
-
 }  // namespace
 
 Plate::Plate(const ConvexPolygon& polygon)
     : corners(polygon),
       normal(twice_area(polygon).normalized()),
-      size(size_of(polygon)),
+      size(polygon.empty() ? 0 : box_around(polygon).sizes().maxCoeff()),
       slenderness(std::max(1.0, size * size / twice_area(polygon).norm())) {
     for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vector3d along = next_corner(polygon, k) - polygon[k];

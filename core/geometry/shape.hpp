@@ -74,6 +74,11 @@ inline bool is_flat(const Shape& shape) {
     return !std::holds_alternative<Frustum>(shape) && !std::holds_alternative<SphereZone>(shape);
 }
 
+/// Parallelograms and triangles.
+inline bool is_polygon(const Shape& shape) {
+    return std::holds_alternative<Parallelogram>(shape) || std::holds_alternative<Triangle>(shape);
+}
+
 /// The side of a curved shape that radiates. @pre the shape is not flat
 inline Facing facing(const Shape& shape) {
     if (const auto* wall = std::get_if<Frustum>(&shape)) return wall->facing;

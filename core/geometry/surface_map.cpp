@@ -6,8 +6,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
 
 namespace ff {
@@ -42,15 +42,6 @@ SurfaceCoordinates in_basis(const Vector3d& offset, const Vector3d& u, const Vec
     const Vector3d normal = u.cross(v);
     const double squared = normal.squaredNorm();
     return {offset.dot(v.cross(normal)) / squared, offset.dot(normal.cross(u)) / squared};
-}
-
-Extent of_points(const Vector3d& direction, std::initializer_list<Vector3d> points) {
-    Extent all{direction.dot(*points.begin()), direction.dot(*points.begin())};
-    for (const Vector3d& point : points) {
-        all.low = std::min(all.low, direction.dot(point));
-        all.high = std::max(all.high, direction.dot(point));
-    }
-    return all;
 }
 
 /// The extent of a circle along a direction.
@@ -161,14 +152,25 @@ Vector3d normal_at(const Surface& surface, const Vector3d& place) {
     return map.at(s, t).normal;
 }
 
+Extent extent(std::span<const Vector3d> points, const Vector3d& direction) {
+    Extent all{direction.dot(points.front()), direction.dot(points.front())};
+    for (const Vector3d& point : points) {
+        all.low = std::min(all.low, direction.dot(point));
+        all.high = std::max(all.high, direction.dot(point));
+    }
+    return all;
+}
+
 Extent extent(const Surface& surface, const Vector3d& direction) {
     return std::visit(Overloaded{
                           [&](const Parallelogram& p) {
-                              return of_points(direction, {p.corner, p.corner + p.edge_u,
-                                                           p.corner + p.edge_u + p.edge_v, p.corner + p.edge_v});
+                              return extent(
+                                  std::array<Vector3d, 4>{p.corner, p.corner + p.edge_u, p.corner + p.edge_u + p.edge_v,
+                                                          p.corner + p.edge_v},
+                                  direction);
                           },
                           [&](const Triangle& p) {
-                              return of_points(direction, {p.a, p.b, p.c});
+                              return extent(std::array{p.a, p.b, p.c}, direction);
                           },
                           [&](const Disc& p) { return of_ring(direction, p.centre, surface.normal, p.outer_radius); },
                           [&](const Frustum& p) {

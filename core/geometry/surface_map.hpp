@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <optional>
+#include <span>
 
 namespace ff {
 
@@ -49,12 +49,13 @@ Eigen::Vector3d normal_at(const Surface& surface, const Eigen::Vector3d& place);
 /// A unit vector perpendicular to `axis`: the coordinate axis farthest from it, projected.
 Eigen::Vector3d perpendicular(const Eigen::Vector3d& axis);
 
-/// The least and the greatest dot product of `direction` with the points of a surface.
+/// The least and the greatest dot product of `direction` with the points of a surface, or with some points.
 struct Extent {
     double low = 0;
     double high = 0;
 };
 Extent extent(const Surface& surface, const Eigen::Vector3d& direction);
+Extent extent(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& direction);
 
 /// The axis-aligned box around a surface.
 Eigen::AlignedBox3d box_around(const Surface& surface);

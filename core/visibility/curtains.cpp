@@ -57,8 +57,7 @@ bool Curtains::is_apart(std::uint32_t wall, const End& end) const {
         high = &corner == end.hull.data() ? height : std::max(high, height);
     }
     if (low > room || high < -room) return true;
-    Eigen::AlignedBox3d box;
-    for (const Vector3d& corner : plate.corners) box.extend(corner);
+    const Eigen::AlignedBox3d box = box_around(plate.corners);
     return (box.min().array() > end.box.max().array() + room).any() ||
            (box.max().array() < end.box.min().array() - room).any();
 }

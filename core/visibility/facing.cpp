@@ -15,14 +15,6 @@ namespace {
 
 constexpr std::size_t most_surfaces_pair_by_pair = 4096;
 
-std::vector<const Surface*> surfaces_of(const Scene& scene, int face) {
-    std::vector<const Surface*> own;
-    for (const Surface& surface : scene.surfaces) {
-        if (surface.face == face) own.push_back(&surface);
-    }
-    return own;
-}
-
 /// The least and the greatest height of a surface above the plane of a flat one.
 Extent heights(const Surface& flat, const Surface& body) {
     const Extent own = extent(flat, flat.normal);

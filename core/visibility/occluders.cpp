@@ -27,10 +27,6 @@ bool is_behind(const Cluster& cluster, const Cluster& other) {
                        [&](const Vector3d& corner) { return other.normal.dot(corner) <= other.plane; });
 }
 
-bool is_polygon(const Surface& surface) {
-    return !corners(surface.shape).empty();
-}
-
 bool are_apart(const AlignedBox3d& a, const AlignedBox3d& b) {
     return (a.min().array() > b.max().array()).any() || (a.max().array() < b.min().array()).any();
 }
@@ -149,7 +145,7 @@ class Occluders::Walk {
         const Surface& from = all_.surfaces_[from_index];
         const Surface& to = all_.surfaces_[to_index];
         Between result;
-        const bool are_polygons = is_polygon(from) && is_polygon(to);
+        const bool are_polygons = is_polygon(from.shape) && is_polygon(to.shape);
         const std::uint32_t from_wall = all_.wall_of(from_index);
         const std::uint32_t to_wall = all_.wall_of(to_index);
         std::optional<Shaft> shaft;
@@ -247,7 +243,7 @@ Occluders::Occluders(const Scene& scene, const JoinedSurfaces& joined)
       meshes_(edges_),
       tree_(surfaces_, joined) {
     for (const Surface& wall : walls_)
-        plates_.push_back(is_polygon(wall) ? std::optional(Plate(outline(wall))) : std::nullopt);
+        plates_.push_back(is_polygon(wall.shape) ? std::optional(Plate(outline(wall))) : std::nullopt);
     place_of_wall_.resize(walls_.size());
     for (std::uint32_t s = 0; s < surfaces_.size(); ++s) {
         const ClusterTree::Cluster& leaf = tree_[tree_.leaf_of(s)];

@@ -4,9 +4,8 @@
 #include "core/geometry/scene.hpp"
 #include "core/geometry/shaft.hpp"
 #include "core/visibility/blocker.hpp"
-#include "core/visibility/closed_meshes.hpp"
+#include "core/visibility/bodies.hpp"
 #include "core/visibility/cluster_tree.hpp"
-#include "core/visibility/convex_bodies.hpp"
 #include "core/visibility/curtains.hpp"
 
 #include <cstdint>

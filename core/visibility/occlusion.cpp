@@ -97,12 +97,8 @@ bool may_be_occluded(const Scene& scene) {
 bool may_be_occluded(const Scene& scene, int from_face, int to_face) {
     if (scene.empty_box) return false;
     if (scene.surfaces.size() > most_surfaces_for_blockers) return true;
-    std::vector<const Surface*> from;
-    std::vector<const Surface*> to;
-    for (const Surface& surface : scene.surfaces) {
-        if (surface.face == from_face) from.push_back(&surface);
-        if (surface.face == to_face) to.push_back(&surface);
-    }
+    const std::vector<const Surface*> from = surfaces_of(scene, from_face);
+    const std::vector<const Surface*> to = surfaces_of(scene, to_face);
     return std::any_of(from.begin(), from.end(), [&](const Surface* a) {
         return std::any_of(to.begin(), to.end(), [&](const Surface* b) {
             return face_each_other(*a, *b) && !possible_blockers(scene, *a, *b).empty();

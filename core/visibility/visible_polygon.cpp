@@ -218,7 +218,7 @@ VisiblePolygon::VisiblePolygon(const Surface& target, const std::vector<Blocker>
             rounding_ = std::max(rounding_, coordinate_rounding * corner.lpNorm<Eigen::Infinity>());
     }
     for (const Blocker& blocker : blockers) {
-        FF_EXPECT(!corners(blocker.surface->shape).empty());
+        FF_EXPECT(is_polygon(blocker.surface->shape));
         hides_.push_back(blocker.faces == FacedEnd::either ? Hides::always
                          : blocker.faces == place_at       ? Hides::from_before
                                                            : Hides::from_behind);

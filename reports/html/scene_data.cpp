@@ -60,7 +60,7 @@ Json polygons_json(const Scene& scene) {
     for (std::size_t i = 0; i < scene.surfaces.size(); i += step) {
         const Surface& surface = scene.surfaces[i];
         const int face = is_of_face(surface) ? surface.face : -1;
-        if (corners(surface.shape).empty())
+        if (!is_polygon(surface.shape))
             add_facets(polygons, face, surface);
         else
             add_polygon(polygons, face, outline(surface));

@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 
 PointFactors::PointFactors(const Scene& scene) : placement_(placement_of(scene)), scene_(placed(scene, placement_)) {
     for (const Surface& surface : scene_.surfaces) {
-        if (corners(surface.shape).empty())
+        if (!is_polygon(surface.shape))
             throw UserError(fmt::format(
                 "--from: scene '{}' has curved surfaces (what a point sees is found past polygons). Make them polygons "
                 "by 'ffstudy convert --facets'.",

@@ -82,7 +82,7 @@ std::string keys_of(const Surface& surface) {
 bool is_of_polygons(const Scene& scene) {
     return std::all_of(scene.faces.begin(), scene.faces.end(), is_a_word) &&
            std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
-                       [](const Surface& surface) { return !corners(surface.shape).empty(); });
+                       [](const Surface& surface) { return is_polygon(surface.shape); });
 }
 
 std::string obj_text(const Scene& scene) {

@@ -32,7 +32,7 @@ PointToVisiblePolygon::PointToVisiblePolygon(const Scene& scene, TracerChoice /*
 
 std::string PointToVisiblePolygon::refusal(const EstimatorOptions& /*options*/, const Scene& scene) {
     const bool polygons = std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
-                                      [](const Surface& surface) { return !corners(surface.shape).empty(); });
+                                      [](const Surface& surface) { return is_polygon(surface.shape); });
     if (polygons) return {};
     return fmt::format(
         "{} cannot be used in scene '{}' (not all of its surfaces are parallelograms and triangles). Use estimator = "

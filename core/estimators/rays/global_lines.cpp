@@ -107,7 +107,7 @@ Line line_through(const Eigen::AlignedBox3d& box, const std::vector<BoxSide>& si
 GlobalLines::GlobalLines(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {
     for (const Surface& surface : scene.surfaces) {
         if (is_of_face(surface)) box_.extend(box_around(surface));
-        if (corners(surface.shape).empty())
+        if (!is_polygon(surface.shape))
             round_.push_back(&surface);
         else
             flat_.push_back(piece(surface));

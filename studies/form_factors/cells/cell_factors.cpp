@@ -13,7 +13,7 @@ CellFactors::CellFactors(const CellPair& pair)
     : source_(pair.source),
       origin_(middle(pair.source)),
       target_(pair.target, pair.exchange.blockers, pair.source_end) {
-    if (corners(source_.shape).empty()) round_.emplace(source_);
+    if (!is_polygon(source_.shape)) round_.emplace(source_);
 }
 
 std::span<const Factors> CellFactors::at(const Cell& cell, std::span<const Vector2d> places, bool some) {

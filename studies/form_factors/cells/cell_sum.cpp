@@ -154,9 +154,8 @@ CellSum cell_sum(const Scene& scene, const FacePairs& pairs, const FacePair& pai
         const Surface* source = &scene.surfaces[sampled.from];
         const Surface* target = &scene.surfaces[sampled.to];
         const bool has_smaller_target = area(target->shape) < area(source->shape);
-        const auto is_round = [](const Surface* surface) { return corners(surface->shape).empty(); };
-        if (is_round(target) || (!is_round(source) && has_smaller_target)) std::swap(source, target);
-        FF_EXPECT(!is_round(target));
+        if (!is_polygon(target->shape) || (is_polygon(source->shape) && has_smaller_target)) std::swap(source, target);
+        FF_EXPECT(is_polygon(target->shape));
         const FacedEnd source_end = source == &scene.surfaces[sampled.from] ? FacedEnd::from : FacedEnd::to;
         const std::optional<BoundedValue<double>>& whole = exchange.area;
         const double most = whole ? whole->value : std::min(area(source->shape), area(target->shape));

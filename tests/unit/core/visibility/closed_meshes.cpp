@@ -1,4 +1,4 @@
-#include "core/visibility/closed_meshes.hpp"
+#include "core/visibility/bodies.hpp"
 
 #include <gtest/gtest.h>
 

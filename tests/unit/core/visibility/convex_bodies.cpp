@@ -1,4 +1,4 @@
-#include "core/visibility/convex_bodies.hpp"
+#include "core/visibility/bodies.hpp"
 
 #include "tests/support/unit_cube.hpp"
 
