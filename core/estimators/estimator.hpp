@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/estimators/graded_map.hpp"
-#include "core/patches/allocation.hpp"
+#include "core/patches/patch_order.hpp"
 #include "core/points/points.hpp"
 #include "core/tracing/tracer.hpp"
 #include "core/visibility/pair_class.hpp"

@@ -1,7 +1,6 @@
 #include "core/patches/patch_order.hpp"
 
 #include "core/exact/exact.hpp"
-#include "core/patches/allocation.hpp"
 #include "core/patches/unfold.hpp"
 #include "tests/support/gridded_rooms.hpp"
 
