@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <system_error>
 
 namespace ff::studies::heat {
 namespace {
@@ -19,6 +21,12 @@ double power_of_black_body(double kelvin) {
 
 double temperature_of_black_body(double power) {
     return std::pow(power / stefan_boltzmann, 0.25);
+}
+
+/// Of light, or of a face with a temperature.
+double emitted_by(const Material& material) {
+    if (material.is_light()) return material.emission.value_or(0);
+    return *material.emissivity * power_of_black_body(*material.temperature);
 }
 
 /// Intervals of the factors, and of what they leave. Every row of a closed scene whose surfaces all belong to faces
@@ -89,11 +97,10 @@ FaceFlow flow_of(const Material& material, double area, Bounds irradiation, cons
     FaceFlow flow;
     flow.area = area;
     flow.irradiation = irradiation;
-    const double reflected = material.is_light() ? *material.reflectance : 1 - *material.emissivity;
+    const double reflected = material.reflected();
     if (material.is_light() || material.temperature) {
         flow.given = true;
-        const double black = material.is_light() ? 0 : power_of_black_body(*material.temperature);
-        const double emitted = material.is_light() ? material.emission.value_or(0) : *material.emissivity * black;
+        const double emitted = emitted_by(material);
         flow.radiosity = {emitted + reflected * irradiation.low, emitted + reflected * irradiation.high};
         flow.net = {emitted - (1 - reflected) * irradiation.high, emitted - (1 - reflected) * irradiation.low};
         if (material.temperature) flow.temperature = {*material.temperature, *material.temperature};
@@ -116,21 +123,34 @@ FaceFlow flow_of(const Material& material, double area, Bounds irradiation, cons
 
 }  // namespace
 
+FlowTolerance read_flow_tolerance(std::string_view place, std::string_view text) {
+    FlowTolerance tolerance;
+    const char* const end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, tolerance.amount);
+    std::string_view unit(rest, static_cast<std::size_t>(end - rest));
+    if (unit.starts_with(' ')) unit.remove_prefix(1);
+    if (unit == "%") tolerance.amount /= 100;
+    tolerance.is_power = unit == "W";
+    const bool is_known = error == std::errc{} && (unit.empty() || unit == "%" || unit == "W");
+    if (is_known && tolerance.amount > 0 && std::isfinite(tolerance.amount) &&
+        (tolerance.is_power || tolerance.amount < 1))
+        return tolerance;
+    throw UserError(
+        fmt::format("{} {} (a share above 0 and below 1, or watts). Write 0.001, 0.1% or 40W.", place, text));
+}
+
+std::string in_words(const FlowTolerance& tolerance) {
+    return tolerance.is_power ? fmt::format("{:g}W", tolerance.amount) : fmt::format("{:g}%", 100 * tolerance.amount);
+}
+
 FaceLaws laws_of(const Materials& materials) {
     const auto n = static_cast<Index>(materials.faces.size());
     FaceLaws laws{Eigen::VectorXd(n), Eigen::VectorXd(n), 0};
     for (Index i = 0; i < n; ++i) {
         const Material& material = materials.faces[static_cast<std::size_t>(i)];
-        if (material.is_light()) {
-            laws.emitted[i] = material.emission.value_or(0);
-            laws.reflected[i] = *material.reflectance;
-        } else if (material.temperature) {
-            laws.emitted[i] = *material.emissivity * power_of_black_body(*material.temperature);
-            laws.reflected[i] = 1 - *material.emissivity;
-        } else {
-            laws.emitted[i] = *material.flux;
-            laws.reflected[i] = 1;
-        }
+        const bool is_given = material.is_light() || material.temperature;
+        laws.emitted[i] = is_given ? emitted_by(material) : *material.flux;
+        laws.reflected[i] = is_given ? material.reflected() : 1;
     }
     if (materials.surroundings)
         laws.surroundings =
@@ -182,10 +202,7 @@ std::vector<GebhartFactor> find_gebhart_factors(const Scene& scene, const form_f
     const bool open = sees_out(factors);
     const auto columns = static_cast<std::size_t>(open ? n + 1 : n);
     FaceLaws laws{Eigen::VectorXd::Zero(n), Eigen::VectorXd(n), 0};
-    for (Index i = 0; i < n; ++i) {
-        const Material& material = materials.faces[static_cast<std::size_t>(i)];
-        laws.reflected[i] = material.is_light() ? *material.reflectance : 1 - *material.emissivity;
-    }
+    for (Index i = 0; i < n; ++i) laws.reflected[i] = materials.faces[static_cast<std::size_t>(i)].reflected();
     expect_solvable(scene, factors, laws, materials);
     const FlowBounds bounds(factors, laws.reflected);
     std::vector<GebhartFactor> found(columns * matrix.faces());

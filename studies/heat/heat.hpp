@@ -4,17 +4,33 @@
 #include "core/radiosity/flow_bounds.hpp"
 #include "core/support/error.hpp"
 #include "studies/form_factors/form_factors.hpp"
-#include "studies/heat/flow_tolerance.hpp"
 #include "studies/heat/materials.hpp"
 
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace ff::studies::heat {
 
 /// W/(m² K⁴), exact in the SI. @see [codata2018]
 inline constexpr double stefan_boltzmann = 5.670374419e-8;
+
+/// How well every power is to be known.
+struct FlowTolerance {
+    double amount = 1e-3;
+    bool is_power = false;  ///< in W; otherwise a share of what the sources give off
+
+    /// W. @param throughput  what the sources give off
+    [[nodiscard]] double power(double throughput) const { return is_power ? amount : amount * throughput; }
+};
+
+/// Reads "0.001", "0.1%" or "40W". @param place  for messages, such as "--tolerance" @throws UserError
+FlowTolerance read_flow_tolerance(std::string_view place, std::string_view text);
+
+/// As the reader takes it: "0.1%", "40W".
+std::string in_words(const FlowTolerance& tolerance);
 
 /// From `low` to `high` at the level of the form factors, all quantities of a scene at once.
 struct Bounds {

@@ -20,6 +20,7 @@ struct Material {
     std::optional<double> emission;     ///< emitted exitance, in any unit; 0 unless given
 
     [[nodiscard]] bool is_light() const { return reflectance.has_value(); }
+    [[nodiscard]] double reflected() const { return is_light() ? *reflectance : 1 - *emissivity; }
 };
 
 /// The materials of a scene.
