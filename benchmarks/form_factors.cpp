@@ -5,7 +5,7 @@
 #include "core/configurations/built_in_scene.hpp"
 #include "core/tracing/tracer.hpp"
 #include "studies/form_factors/cells/cell_sum.hpp"
-#include "studies/form_factors/ray_sampling.hpp"
+#include "studies/form_factors/row_by_rays.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -59,12 +59,12 @@ void a_ray(benchmark::State& state, const char* name) {
     studies::form_factors::Request request;
     request.cells = false;
     const studies::form_factors::FacePairs geometry = studies::form_factors::examine_pairs(scene, request);
-    const studies::form_factors::FacePair* pair = &geometry.pairs.front();
-    const studies::form_factors::RaySampling sampling(scene, geometry, pair->from, {pair->to});
+    studies::form_factors::RowByRays row(scene, geometry, geometry.pairs.front().from, {0});
     const auto tracer = make_tracer(scene, TracerChoice::automatic);
     constexpr std::uint64_t rays = 65536;
-    std::uint32_t randomisation = 0;
-    for (auto _ : state) benchmark::DoNotOptimize(sampling.run(*tracer, {}, randomisation++, rays, nullptr));
+    row.set_rays(rays);
+    std::uint32_t round = 0;
+    for (auto _ : state) row.run(*tracer, {}, round++ % studies::form_factors::randomisations, nullptr);
     state.counters["per_ray"] = benchmark::Counter(static_cast<double>(rays) * static_cast<double>(state.iterations()),
                                                    benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }

@@ -2,7 +2,7 @@
 
 #include "reports/json/json_values.hpp"
 #include "reports/text/numbers.hpp"
-#include "studies/form_factors/words.hpp"
+#include "studies/form_factors/form_factors.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "reports/text/numbers.hpp"
 #include "reports/text/text_table.hpp"
-#include "studies/form_factors/words.hpp"
+#include "studies/form_factors/form_factors.hpp"
 
 #include <fmt/format.h>
 

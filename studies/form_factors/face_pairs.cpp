@@ -68,13 +68,12 @@ void expect_few_faces(const Scene& scene) {
 void leave_all_to_rays(FacePairs& result) {
     for (std::uint32_t from = 0; from < result.faces(); ++from) {
         for (std::uint32_t to = from; to < result.faces(); ++to) {
-            FacePair& pair = result.pairs.emplace_back();
-            pair.from = from;
-            pair.to = to;
-            pair.everything = true;
-            pair.all_unblocked_known = false;
-            pair.reason = ExchangeReason::many_surfaces;
-            pair.most = std::min(result.areas[from], result.areas[to]);
+            result.pairs.push_back({.from = from,
+                                    .to = to,
+                                    .most = std::min(result.areas[from], result.areas[to]),
+                                    .all_unblocked_known = false,
+                                    .everything = true,
+                                    .reason = ExchangeReason::many_surfaces});
         }
     }
 }

@@ -86,6 +86,11 @@ struct FacePairs {
     [[nodiscard]] std::span<const SampledPair> surfaces_of(const FacePair& pair) const {
         return sampled.part(pair.first, pair.count);
     }
+    /// The face from which samples tell more of a sampled pair: the smaller.
+    [[nodiscard]] std::size_t owner(std::size_t pair) const {
+        const FacePair& faces = pairs[pair];
+        return areas[faces.to] < areas[faces.from] ? faces.to : faces.from;
+    }
 };
 
 /// Sharper methods are used where an error would show beside the request's tolerance. Pairs not yet examined when the

@@ -5,7 +5,6 @@
 #include "core/support/error.hpp"
 #include "stats/error_rates/multiplicity.hpp"
 #include "studies/form_factors/added_faces.hpp"
-#include "studies/form_factors/closure.hpp"
 #include "studies/form_factors/matrix_builder.hpp"
 #include "studies/form_factors/repair.hpp"
 #include "studies/form_factors/sample_pairs.hpp"
@@ -72,6 +71,56 @@ void drop(Matrix& matrix, std::vector<DroppedExchange> dropped, double below) {
     matrix.dropped /= 2;
 }
 
+/// What may be missing of a row's sum, and what may be too much.
+struct Misses {
+    double missing = 0;
+    double excess = 0;
+};
+
+/// Of two rows that share an entry, both miss what it lacks; where only one is known to miss anything, that counts.
+double common(double first, double second) {
+    return first > 0 && second > 0 ? std::min(first, second) : std::max(first, second);
+}
+
+/// A share of rays, with what may be by chance where few are lost.
+double share_of(const std::pair<std::uint64_t, std::uint64_t>& lost) {
+    constexpr double unseen = 3;
+    return lost.first == 0
+               ? 0
+               : std::min(1.0, (static_cast<double>(lost.first) + unseen) / static_cast<double>(lost.second));
+}
+
+/// Judges the rows of a closed scene, which add up to 1 but for gaps between its surfaces. Where none misses 1 by more
+/// than the tolerance, Matrix::leak says by how much, and the intervals of entries hold what passes through the gaps;
+/// otherwise the rows that miss it exclude 1.
+/// @param lost  rays that met nothing and all rays, by row
+void judge_closure(Matrix& matrix, const std::vector<std::pair<std::uint64_t, std::uint64_t>>& lost,
+                   const Request& request) {
+    double most = 0;
+    for (const RowSum& row : matrix.rows) most = std::max(most, row.off_one);
+    if (most > request.tolerance) {
+        for (RowSum& row : matrix.rows) row.excludes_one = row.off_one > 0;
+        return;
+    }
+    std::vector<Misses> misses(matrix.faces());
+    for (std::size_t face = 0; face < matrix.faces(); ++face) {
+        const RowSum& row = matrix.rows[face];
+        const bool is_off = row.off_one > 0;
+        misses[face].missing = std::max(is_off ? 1 - row.low : 0, share_of(lost[face])) * matrix.areas[face];
+        misses[face].excess = std::max(0.0, is_off ? row.high - 1 : 0) * matrix.areas[face];
+        matrix.leak = std::max({matrix.leak, row.off_one, share_of(lost[face])});
+    }
+    if (matrix.leak == 0) return;
+    for (FaceExchange& exchange : matrix.exchanges) {
+        const Misses& from = misses[exchange.from];
+        const Misses& to = misses[exchange.to];
+        const double smaller = std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]);
+        exchange.high = std::min(std::max(exchange.high, smaller), exchange.high + common(from.missing, to.missing));
+        exchange.low = std::max(0.0, exchange.low - common(from.excess, to.excess));
+        exchange.within = is_within(matrix, exchange, request);
+    }
+}
+
 /// Scales areas from the unit of the computation to that of the scene.
 void scale_areas(Matrix& matrix, double unit) {
     for (double& area : matrix.areas) area *= unit;
@@ -83,16 +132,42 @@ void scale_areas(Matrix& matrix, double unit) {
 }  // namespace
 
 FaceExchange no_exchange(std::size_t from, std::size_t to) {
-    FaceExchange nothing;
-    nothing.from = static_cast<std::uint32_t>(from);
-    nothing.to = static_cast<std::uint32_t>(to);
-    nothing.method = ExchangeMethod::none;
-    nothing.within = true;
-    return nothing;
+    return {.from = static_cast<std::uint32_t>(from),
+            .to = static_cast<std::uint32_t>(to),
+            .method = ExchangeMethod::none,
+            .within = true};
 }
 
 double half_width(const FaceExchange& exchange) {
     return std::max(exchange.high - exchange.value, exchange.value - exchange.low);
+}
+
+namespace {
+
+constexpr std::string_view no_time = "no time to sample it";
+/// In files of earlier versions: rays served pairs that cells serve now.
+constexpr std::string_view rays_of_row = "the rays of its row do as well";
+
+}  // namespace
+
+std::string_view method_of(const FaceExchange& exchange) {
+    return name(exchange.method.value_or(ExchangeMethod::bounds));
+}
+
+std::string_view reason_of(const FaceExchange& exchange) {
+    return exchange.method ? in_words(exchange.reason) : no_time;
+}
+
+bool set_method(FaceExchange& exchange, std::string_view method, std::string_view reason) {
+    exchange.method.reset();
+    if (reason == no_time) return method == name(ExchangeMethod::bounds);
+    if (reason == rays_of_row) reason = in_words(ExchangeReason::blocked);
+    const auto known_method = std::find(exchange_methods.begin(), exchange_methods.end(), method);
+    const auto known_reason = std::find(exchange_reasons.begin(), exchange_reasons.end(), reason);
+    if (known_method == exchange_methods.end() || known_reason == exchange_reasons.end()) return false;
+    exchange.method = static_cast<ExchangeMethod>(known_method - exchange_methods.begin());
+    exchange.reason = static_cast<ExchangeReason>(known_reason - exchange_reasons.begin());
+    return true;
 }
 
 FaceExchange Matrix::exchange(std::size_t a, std::size_t b) const {

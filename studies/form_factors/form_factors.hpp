@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ff::studies::form_factors {
@@ -68,6 +69,15 @@ FaceExchange no_exchange(std::size_t from, std::size_t to);
 
 /// The larger half of an interval.
 double half_width(const FaceExchange& exchange);
+
+/// The most expensive method that a pair of faces took; "bounds" where there was no time for one.
+std::string_view method_of(const FaceExchange& exchange);
+
+/// The reason for that method.
+std::string_view reason_of(const FaceExchange& exchange);
+
+/// The inverse: sets the method and the reason of an exchange from these words. @return false for unknown words
+bool set_method(FaceExchange& exchange, std::string_view method, std::string_view reason);
 
 /// Form factors between the faces of a scene. Reciprocal by construction: both directions share one exchange area.
 struct Matrix {

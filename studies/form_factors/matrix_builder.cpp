@@ -1,6 +1,6 @@
 #include "studies/form_factors/matrix_builder.hpp"
 
-#include "studies/form_factors/aim.hpp"
+#include "core/support/contract.hpp"
 #include "studies/form_factors/rounds.hpp"
 
 #include <algorithm>
@@ -27,23 +27,14 @@ void clip(FaceExchange& exchange, double least, double most) {
 
 /// @param smaller  area of the smaller face
 FaceExchange face_exchange(const KnownPair& pair, double smaller) {
-    FaceExchange result;
-    result.from = pair.from;
-    result.to = pair.to;
-    result.method = pair.method;
-    result.reason = pair.reason;
-    result.value = pair.value;
-    result.low = pair.value - pair.bound;
-    result.high = pair.value + pair.bound;
+    FaceExchange result{pair.from, pair.to,     pair.value, pair.value - pair.bound, pair.value + pair.bound,
+                        0,         pair.method, pair.reason};
     clip(result, 0, smaller);
     return result;
 }
 
 FaceExchange face_exchange(const FacePair& pair, const PairEstimate& estimate) {
-    FaceExchange result;
-    result.from = pair.from;
-    result.to = pair.to;
-    result.reason = pair.reason;
+    FaceExchange result{.from = pair.from, .to = pair.to, .method = std::nullopt, .reason = pair.reason};
     const double least = std::max(0.0, pair.known - pair.bound - pair.resolution);
     const double most = std::max(least, pair.most + pair.resolution);
     if (!estimate.sum) {
@@ -81,6 +72,44 @@ void for_both(const Pair& pair, const Use& use) {
 }
 
 }  // namespace
+
+void OrderlessSum::add(double value) {
+    units_ += static_cast<Units>(std::ldexp(value, 100));
+}
+
+double OrderlessSum::value() const {
+    return std::ldexp(static_cast<double>(units_), -100);
+}
+
+RowSums::RowSums(std::vector<double> areas, std::vector<double> levels)
+    : areas_(std::move(areas)), levels_(std::move(levels)), rows_(areas_.size()) {}
+
+void RowSums::add(std::size_t face, const PairEstimate& estimate) {
+    FF_EXPECT(estimate.sum.has_value());
+    Row& row = rows_[face];
+    const double area = areas_[face];
+    row.offset.add(estimate.sum->offset / area);
+    row.offset_error.add(estimate.sum->offset_error / area);
+    row.unmet.resize(levels_.size(), 0.0);
+    for (const auto& [scale, share] : estimate.sum->terms) {
+        FF_EXPECT(share.means.size() == randomisations);
+        row.is_sampled = true;
+        for (std::size_t r = 0; r < randomisations; ++r) row.means[r].add(scale * share.means[r] / area);
+        for (std::size_t k = 0; k < levels_.size(); ++k)
+            row.unmet[k] = std::max(row.unmet[k], unmet_of(scale, share, levels_[k]) / area);
+    }
+}
+
+EstimatedSum RowSums::at(std::size_t face, double level) const {
+    const Row& row = rows_[face];
+    EstimatedSum result{row.offset.value(), row.offset_error.value(), row.offset_error.value(), 0};
+    if (!row.is_sampled) return result;
+    const auto known = std::find(levels_.begin(), levels_.end(), level);
+    FF_EXPECT(known != levels_.end());
+    std::vector<double> means;
+    for (const OrderlessSum& mean : row.means) means.push_back(mean.value());
+    return with_means(result, means, row.unmet[static_cast<std::size_t>(known - levels_.begin())], level);
+}
 
 MatrixBuilder::MatrixBuilder(Matrix& matrix, const FacePairs& geometry, const std::vector<KnownPair>& known_pairs,
                              const Request& request, double alpha)
@@ -124,7 +153,7 @@ void MatrixBuilder::keep_values(std::size_t p, const PairEstimate& estimate) {
     PairRandomisations& kept = matrix_.randomisations.emplace_back();
     kept.from = pair.from;
     kept.to = pair.to;
-    if (estimate.method == ExchangeMethod::rays) kept.rays_of = static_cast<std::uint32_t>(owner_of(geometry_, p));
+    if (estimate.method == ExchangeMethod::rays) kept.rays_of = static_cast<std::uint32_t>(geometry_.owner(p));
     for (std::size_t k = 0; k < randomisations; ++k) {
         double value = estimate.sum->offset;
         for (const SampledSum::Term& term : estimate.sum->terms) value += term.scale * term.share.means[k];

@@ -28,8 +28,8 @@ double round_level(double alpha, std::size_t round) {
 
 Rounds::Rounds(const Scene& scene, const FacePairs& geometry, const Request& request, double alpha,
                const PairsOfRows& rows)
-    : scene_(scene), request_(request), alpha_(alpha), aim_{geometry, request} {
-    for (const FacePair& pair : geometry.pairs) aim_.expected.push_back((pair.known + pair.most) / 2);
+    : scene_(scene), request_(request), alpha_(alpha), geometry_(geometry) {
+    for (const FacePair& pair : geometry.pairs) expected_.push_back((pair.known + pair.most) / 2);
     for (const auto& row : rows) sampled_ += row.second.size();
     progress_.pairs = pairs_of(geometry.faces());
     progress_.within = progress_.pairs - sampled_;
@@ -51,7 +51,7 @@ bool Rounds::sample(const PairsOfRows& rows, std::uint64_t budget) {
             pairs_[pair];
             if (!is_by_cells(pair)) by_rays.push_back(pair);
         }
-        if (!by_rays.empty()) work_.push_back({RowByRays(scene_, aim_.geometry, row, std::move(by_rays))});
+        if (!by_rays.empty()) work_.push_back({RowByRays(scene_, geometry_, row, std::move(by_rays))});
     }
     bool complete = true;
     try {
@@ -68,14 +68,23 @@ bool Rounds::sample(const PairsOfRows& rows, std::uint64_t budget) {
 std::vector<SampledRow> Rounds::result() const {
     std::map<std::size_t, SampledRow> rows = rows_;
     for (const auto& [pair, state] : pairs_)
-        rows[aim_.owner(pair)].estimates.emplace_back(static_cast<std::uint32_t>(pair), state.estimate);
+        rows[geometry_.owner(pair)].estimates.emplace_back(static_cast<std::uint32_t>(pair), state.estimate);
     std::vector<SampledRow> result;
     for (auto& row : rows) result.push_back(std::move(row.second));
     return result;
 }
 
 bool Rounds::is_by_cells(std::size_t pair) const {
-    return request_.cells && aim_.geometry.pairs[pair].by_cells;
+    return request_.cells && geometry_.pairs[pair].by_cells;
+}
+
+/// What the half width of a pair is to stay below, if its exchange area is as large as expected.
+double Rounds::wanted(std::size_t pair) const {
+    const FacePair& faces = geometry_.pairs[pair];
+    const double tolerance = request_.tolerance_between(faces.from, faces.to) * geometry_.areas[geometry_.owner(pair)];
+    const double width = std::max(tolerance, request_.relative * expected_[pair]);
+    constexpr double least = 0.1;  // nothing comes near it where bounds are as wide
+    return std::max(least * width, width - faces.bound);
 }
 
 /// Of the random numbers of a round.
@@ -140,7 +149,7 @@ void Rounds::run_round() {
     samples_ += all;
     left_ -= std::min(all, left_);
     for (const Work& work : work_) {
-        SampledRow& row = rows_[aim_.owner(work.row.pairs().front())];
+        SampledRow& row = rows_[geometry_.owner(work.row.pairs().front())];
         row.samples += work.row.samples();
         row.rays += work.row.samples();
         row.lost += work.row.lost();
@@ -156,8 +165,8 @@ bool Rounds::record(const Work& work, std::size_t pair) {
     state.estimate.samples = work.row.samples();
     state.recorded = true;
     const EstimatedSum found = estimate_of(*state.estimate.sum, state.estimate.level);
-    aim_.expected[pair] = std::max(0.0, found.value);
-    return found.half_width() <= aim_.wanted(pair);
+    expected_[pair] = std::max(0.0, found.value);
+    return found.half_width() <= wanted(pair);
 }
 
 /// When sampling stops early, the last complete round of each pair counts, even if it was a pilot. This is sound
@@ -177,7 +186,7 @@ void Rounds::note_unfinished() {
 std::vector<double> Rounds::missing(const RowByRays& row) const {
     std::vector<double> widths;
     for (const std::size_t pair : row.pairs())
-        widths.push_back(pairs_.at(pair).done ? std::numeric_limits<double>::max() : aim_.wanted(pair));
+        widths.push_back(pairs_.at(pair).done ? std::numeric_limits<double>::max() : wanted(pair));
     return widths;
 }
 
@@ -197,7 +206,7 @@ void Rounds::evaluate() {
         if (work.pilot) {
             for (const std::size_t pair : work.row.pairs()) {
                 earlier_.push_back({pair, work.row.sum(pair)});
-                aim_.expected[pair] = std::max(0.0, estimate_of(earlier_.back().sum, level(0)).value);
+                expected_[pair] = std::max(0.0, estimate_of(earlier_.back().sum, level(0)).value);
             }
             set_next(work);
             going_on.push_back(std::move(work));
@@ -215,7 +224,7 @@ void Rounds::evaluate() {
         ++work.rounds;
         set_next(work);
         if (open.size() < work.row.pairs().size()) {
-            RowByRays rest(scene_, aim_.geometry, aim_.owner(open.front()), open);
+            RowByRays rest(scene_, geometry_, geometry_.owner(open.front()), open);
             rest.set_rays(work.row.rays());
             work.row = std::move(rest);
         }
@@ -258,7 +267,7 @@ void Rounds::compare() {
         const EstimatedSum a = estimate_of(*state.estimate.sum, level);
         const EstimatedSum b = estimate_of(earlier.sum, level);
         // Contour integrals and traced rays agree within single precision.
-        const double room = 1e-6 * aim_.geometry.areas[aim_.owner(earlier.pair)];
+        const double room = 1e-6 * geometry_.areas[geometry_.owner(earlier.pair)];
         if (a.value - a.down <= b.value + b.up + room && b.value - b.down <= a.value + a.up + room) continue;
         state.estimate.contradicted = true;
         state.estimate.other = b;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/tracing/tracer.hpp"
-#include "studies/form_factors/aim.hpp"
 #include "studies/form_factors/cells/cell_sum.hpp"
 #include "studies/form_factors/row_by_rays.hpp"
 #include "studies/form_factors/sampled_row.hpp"
@@ -14,6 +13,9 @@
 #include <vector>
 
 namespace ff::studies::form_factors {
+
+/// Places in FacePairs::pairs, by the face that owns the pairs.
+using PairsOfRows = std::map<std::size_t, std::vector<std::size_t>>;
 
 /// Most rounds of a pair whose interval may be reported.
 inline constexpr std::size_t most_rounds = 3;
@@ -63,7 +65,10 @@ class Rounds {
     const Request& request_;
     double alpha_;
     std::size_t sampled_ = 0;  ///< pairs of all rows
-    Aim aim_;
+    const FacePairs& geometry_;
+    /// Exchange area that is expected of each pair, from the samples so far. It decides on numbers of samples, not on
+    /// intervals.
+    std::vector<double> expected_;
     std::unique_ptr<Tracer> tracer_;
     std::map<std::size_t, SampledRow> rows_;
     std::map<std::size_t, State> pairs_;
@@ -79,6 +84,7 @@ class Rounds {
     [[nodiscard]] double level(std::size_t rounds_done) const { return round_level(alpha_, rounds_done); }
     [[nodiscard]] StreamKey key_of(std::string_view samples) const;
     [[nodiscard]] bool is_by_cells(std::size_t pair) const;
+    [[nodiscard]] double wanted(std::size_t pair) const;
     void integrate_cells();
     bool take(std::size_t pair, CellSum cells, std::size_t round);
     void shoot_rays();

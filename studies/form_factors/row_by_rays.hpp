@@ -1,6 +1,8 @@
 #pragma once
 
-#include "studies/form_factors/ray_sampling.hpp"
+#include "core/points/stream.hpp"
+#include "core/tracing/tracer.hpp"
+#include "studies/form_factors/face_pairs.hpp"
 #include "studies/form_factors/sampled_share.hpp"
 
 #include <atomic>
@@ -12,7 +14,9 @@ namespace ff::studies::form_factors {
 /// Fewest rays of a randomisation.
 inline constexpr std::uint64_t least_rays = 4096;
 
-/// Pairs of a face with others, all by rays that leave it. Rounds are independent.
+/// Pairs of a face with others, all by rays that leave it: by one scrambled Sobol' sequence in four dimensions for all
+/// its surfaces with an unknown exchange with the others. The first coordinate chooses the surface by its share of the
+/// area, and its remainder the place. Rounds are independent.
 class RowByRays {
   public:
     /// @param pairs  by their place in FacePairs::pairs
@@ -26,6 +30,7 @@ class RowByRays {
     [[nodiscard]] std::uint64_t samples() const { return randomisations * rays_; }
 
     /// Runs a randomisation of a round; others may run on other threads. @param key of its random numbers
+    /// @throws Stopped  when the flag is set
     void run(const Tracer& tracer, StreamKey key, std::uint32_t randomisation, const std::atomic<bool>* stop);
 
     /// The exchange area of one of its pairs, by the last round.
@@ -37,11 +42,27 @@ class RowByRays {
     [[nodiscard]] std::uint64_t lost() const;  ///< rays of the last round
 
   private:
+    struct Source {
+        std::uint32_t surface = 0;
+        std::uint64_t first = 0;  ///< coordinate where its share begins, in 2^-32
+    };
+    struct Hits {
+        std::vector<std::uint64_t> hits;  ///< by pair
+        std::uint64_t lost = 0;
+    };
+
+    const Scene* scene_;
     const FacePairs* geometry_;
+    std::size_t from_;
     std::vector<std::size_t> pairs_;
-    RaySampling sampling_;
+    std::vector<Source> sources_;  ///< and an end
+    double source_area_ = 0;
     std::uint64_t rays_ = least_rays;
-    std::vector<RaySampling::Hits> hits_;  ///< by randomisation
+    std::vector<Hits> hits_;  ///< by randomisation
+
+    /// For each face the place of its pair, or a mark that it has none.
+    [[nodiscard]] std::vector<std::uint32_t> pairs_of_faces() const;
+    [[nodiscard]] bool is_shot(std::uint32_t from, std::uint32_t to) const;
 };
 
 }  // namespace ff::studies::form_factors

@@ -12,6 +12,12 @@
 namespace ff::studies::form_factors {
 namespace {
 
+PairsOfRows pairs_to_sample(const FacePairs& geometry) {
+    PairsOfRows rows;
+    for (std::size_t pair = 0; pair < geometry.pairs.size(); ++pair) rows[geometry.owner(pair)].push_back(pair);
+    return rows;
+}
+
 /// Rows that are sampled at a time, with at least so many pairs or all there are: what is not done is lost where the
 /// process ends.
 PairsOfRows next_batch(PairsOfRows& rows) {

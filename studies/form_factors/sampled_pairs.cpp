@@ -3,7 +3,6 @@
 #include "core/support/contract.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -13,10 +12,6 @@ namespace {
 constexpr std::uint32_t ends = 3;
 
 }  // namespace
-
-bool SampledPair::is_whole_known() const {
-    return std::isfinite(whole.value);
-}
 
 void SampledPairs::add(std::uint32_t face, std::uint32_t other_face, std::uint32_t from, std::uint32_t to,
                        const PairExchange& exchange) {

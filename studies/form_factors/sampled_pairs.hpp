@@ -3,6 +3,7 @@
 #include "core/exact/pair_exchange.hpp"
 #include "core/visibility/occluders.hpp"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -22,7 +23,7 @@ struct SampledPair {
     ExchangeMethod method = ExchangeMethod::rays;
     BoundedValue<double> whole;  ///< unoccluded exchange area; infinite where it is not known
 
-    [[nodiscard]] bool is_whole_known() const;
+    [[nodiscard]] bool is_whole_known() const { return std::isfinite(whole.value); }
     /// 2 within a face, where both orders count.
     [[nodiscard]] double times() const { return face == other_face && from != to ? 2 : 1; }
 };

@@ -25,7 +25,7 @@ void Rounds::integrate_cells() {
     }
     const bool shares_budget = !work_.empty();
     for (std::size_t round = 0; round < most_rounds && !pairs.empty(); ++round) {
-        const auto surfaces_of = [&](std::size_t pair) { return std::size_t{aim_.geometry.pairs[pair].count}; };
+        const auto surfaces_of = [&](std::size_t pair) { return std::size_t{geometry_.pairs[pair].count}; };
         std::uint64_t surfaces = 0;  // pairs of them
         for (const std::size_t pair : pairs) surfaces += surfaces_of(pair);
         if (!allows(least_evaluations * surfaces * (shares_budget ? 2 : 1))) return;
@@ -39,9 +39,9 @@ void Rounds::integrate_cells() {
         for_each_index(pairs.size(), request_.threads, [&](std::uint64_t i) {
             if (request_.stop != nullptr && *request_.stop) return;
             const std::size_t pair = pairs[i];
-            const CellLimits limits{aim_.wanted(pair) * std::pow(finer, round), level(round), most * surfaces_of(pair),
+            const CellLimits limits{wanted(pair) * std::pow(finer, round), level(round), most * surfaces_of(pair),
                                     request_.stop};
-            found[i] = cell_sum(scene_, aim_.geometry, aim_.geometry.pairs[pair], limits, key);
+            found[i] = cell_sum(scene_, geometry_, geometry_.pairs[pair], limits, key);
             if (!request_.report) return;
             const std::lock_guard lock(reporting_);
             report(++done, pairs.size(), samples_);
@@ -58,12 +58,12 @@ void Rounds::integrate_cells() {
 
 /// @return whether it needs no other round
 bool Rounds::take(std::size_t pair, CellSum cells, std::size_t round) {
-    rows_[aim_.owner(pair)].samples += cells.evaluations;
+    rows_[geometry_.owner(pair)].samples += cells.evaluations;
     samples_ += cells.evaluations;
     left_ -= std::min(left_, cells.evaluations);
     const EstimatedSum estimate = estimate_of(cells.sum, level(round));
-    aim_.expected[pair] = std::max(0.0, estimate.value);
-    const bool within = estimate.half_width() <= aim_.wanted(pair);
+    expected_[pair] = std::max(0.0, estimate.value);
+    const bool within = estimate.half_width() <= wanted(pair);
     const auto method = cells.between_lines ? ExchangeMethod::cells : ExchangeMethod::points;
     State& state = pairs_[pair];
     if (state.recorded) earlier_.push_back({pair, std::move(*state.estimate.sum)});

@@ -3,7 +3,7 @@
 #include "core/geometry/scene.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "samplers/grids/gauss_legendre.hpp"
-#include "studies/form_factors/cells/rims.hpp"
+#include "studies/form_factors/cells/part_bounds.hpp"
 
 #include <Eigen/Core>
 

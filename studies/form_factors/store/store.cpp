@@ -4,7 +4,6 @@
 #include "studies/form_factors/added_faces.hpp"
 #include "studies/form_factors/repair.hpp"
 #include "studies/form_factors/store/stored_request.hpp"
-#include "studies/form_factors/words.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "studies/store/row_digest.hpp"
 #include "studies/store/store_format.hpp"

@@ -2,7 +2,6 @@
 
 #include "core/support/error.hpp"
 #include "studies/form_factors/repair.hpp"
-#include "studies/form_factors/words.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "tests/support/earlier_stores.hpp"
 #include "tests/support/studies.hpp"

@@ -5,7 +5,6 @@
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"
 #include "core/support/error.hpp"
-#include "studies/form_factors/words.hpp"
 #include "tests/support/repetitions.hpp"
 #include "tests/support/statistical_assertions.hpp"
 

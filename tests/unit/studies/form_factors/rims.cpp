@@ -1,4 +1,4 @@
-#include "studies/form_factors/cells/rims.hpp"
+#include "studies/form_factors/cells/part_bounds.hpp"
 
 #include "core/visibility/visible_polygon.hpp"
 #include "studies/form_factors/cells/cell_shapes.hpp"

@@ -1,4 +1,4 @@
-#include "studies/form_factors/row_sums.hpp"
+#include "studies/form_factors/matrix_builder.hpp"
 
 #include "stats/basics/resampling.hpp"
 
