@@ -62,7 +62,7 @@ KeptRows::KeptRows(const std::filesystem::path& file, const SceneSource& source,
 void KeptRows::keep(const SampledRow& row) const {
     const std::vector<std::uint64_t> words = to_words(row);
     Statement insert(database_.handle(), "INSERT OR IGNORE INTO rows VALUES(?, ?, ?)");
-    insert.bind(0, std::int64_t{row.row}).bind(1, words).bind(2, std::string_view(checksum_of_row(words))).run();
+    run_with(insert, row.row, words, checksum_of_row(words));
 }
 
 void KeptRows::read(const std::function<void(SampledRow)>& receive) const {

@@ -70,15 +70,15 @@ void write_about(const Database& database, const KeptMatrix& kept) {
     write_request(database, form_factor_format, kept.source, kept.request);
     const Matrix& matrix = kept.matrix;
     Statement insert(database.handle(), "INSERT INTO about VALUES(?, ?)");
-    const auto write = [&](std::string_view key, auto value) { insert.bind(0, key).bind(1, value).run(); };
+    const auto write = [&](std::string_view key, auto value) { run_with(insert, key, value); };
     write("entry_level", matrix.entry_level);
-    write("surfaces", integer(matrix.surfaces));
-    write("samples", integer(matrix.samples));
-    write("rays", integer(matrix.rays));
-    write("lost_rays", integer(matrix.lost_rays));
-    write("interrupted", integer(matrix.interrupted ? 1 : 0));
+    write("surfaces", matrix.surfaces);
+    write("samples", matrix.samples);
+    write("rays", matrix.rays);
+    write("lost_rays", matrix.lost_rays);
+    write("interrupted", matrix.interrupted);
     if (matrix.leak > 0) write("leak", matrix.leak);
-    if (matrix.repaired) write("repair_possible", integer(matrix.repaired->possible ? 1 : 0));
+    if (matrix.repaired) write("repair_possible", matrix.repaired->possible);
 }
 
 void write_faces(const Database& database, const KeptMatrix& kept) {
@@ -86,14 +86,7 @@ void write_faces(const Database& database, const KeptMatrix& kept) {
     Statement insert(database.handle(), "INSERT INTO faces VALUES(?, ?, ?, ?, ?, ?, ?)");
     for (std::size_t i = 0; i < scene.faces.size(); ++i) {
         const RowSum& row = kept.matrix.rows[i];
-        insert.bind(0, integer(i + 1))
-            .bind(1, std::string_view(scene.faces[i]))
-            .bind(2, kept.matrix.areas[i])
-            .bind(3, row.value)
-            .bind(4, row.low)
-            .bind(5, row.high)
-            .bind(6, integer(row.excludes_one ? 1 : 0))
-            .run();
+        run_with(insert, i + 1, scene.faces[i], kept.matrix.areas[i], row.value, row.low, row.high, row.excludes_one);
     }
 }
 
@@ -101,31 +94,15 @@ void write_dropped(const Database& database, const Matrix& matrix) {
     Statement insert(database.handle(), "INSERT INTO dropped VALUES(?, ?, ?, ?, ?)");
     for (std::size_t face = 0; face < matrix.faces(); ++face) {
         const DroppedExchange& sum = matrix.rows[face].dropped;
-        if (sum.pairs == 0) continue;
-        insert.bind(0, integer(face + 1))
-            .bind(1, integer(sum.pairs))
-            .bind(2, sum.value)
-            .bind(3, sum.low)
-            .bind(4, sum.high)
-            .run();
+        if (sum.pairs > 0) run_with(insert, face + 1, sum.pairs, sum.value, sum.low, sum.high);
     }
 }
 
 void write_pairs(const Database& database, const Matrix& matrix) {
     Statement insert(database.handle(), "INSERT INTO pairs VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     for (const FaceExchange& pair : matrix.exchanges) {
-        insert.bind(0, integer(pair.from + 1))
-            .bind(1, integer(pair.to + 1))
-            .bind(2, pair.value)
-            .bind(3, pair.low)
-            .bind(4, pair.high)
-            .bind(5, method_of(pair))
-            .bind(6, reason_of(pair))
-            .bind(7, integer(pair.samples))
-            .bind(8, integer(pair.clipped ? 1 : 0))
-            .bind(9, integer(pair.within ? 1 : 0))
-            .bind(10, integer(pair.contradicted ? 1 : 0))
-            .run();
+        run_with(insert, pair.from + 1, pair.to + 1, pair.value, pair.low, pair.high, method_of(pair), reason_of(pair),
+                 pair.samples, pair.clipped, pair.within, pair.contradicted);
     }
 }
 
@@ -133,7 +110,7 @@ void write_repaired(const Database& database, const Matrix::Sparse& factors) {
     Statement insert(database.handle(), "INSERT INTO repaired VALUES(?, ?, ?)");
     for (Eigen::Index i = 0; i < factors.outerSize(); ++i) {
         for (Matrix::Sparse::InnerIterator entry(factors, i); entry; ++entry)
-            insert.bind(0, std::int64_t{i + 1}).bind(1, std::int64_t{entry.col() + 1}).bind(2, entry.value()).run();
+            run_with(insert, i + 1, entry.col() + 1, entry.value());
     }
 }
 
@@ -276,11 +253,10 @@ void save_matrix(const std::filesystem::path& file, const KeptMatrix& kept) {
     write_dropped(database, kept.matrix);
     if (kept.matrix.repaired) write_repaired(database, kept.matrix.repaired->factors);
     Statement warning(database.handle(), "INSERT INTO warnings VALUES(?)");
-    for (const std::string& text : kept.warnings) warning.bind(0, std::string_view(text)).run();
+    for (const std::string& text : kept.warnings) run_with(warning, text);
     write_context(database, kept.context);
-    Statement(database.handle(), "INSERT INTO about VALUES('checksum', ?)")
-        .bind(0, std::string_view(checksum_of_matrix(database)))
-        .run();
+    Statement checksum(database.handle(), "INSERT INTO about VALUES('checksum', ?)");
+    run_with(checksum, checksum_of_matrix(database));
     database.execute("COMMIT");
 }
 

@@ -46,18 +46,18 @@ std::uint64_t StoredKeys::count(std::string_view key) const {
 void write_request(const Database& database, const StoreFormat& format, const SceneSource& source,
                    const Request& request) {
     Statement insert(database.handle(), fmt::format("INSERT INTO {} VALUES(?, ?)", format.keys));
-    const auto write = [&](std::string_view key, auto value) { insert.bind(0, key).bind(1, value).run(); };
-    write("schema_version", std::int64_t{format.version});
+    const auto write = [&](std::string_view key, const auto& value) { run_with(insert, key, value); };
+    write("schema_version", format.version);
     write("scene", source.title());
     if (source.text) write("scene_text", *source.text);
     write("tolerance", request.tolerance);
     if (request.relative > 0) write("relative", request.relative);
     if (request.drop > 0) write("drop", request.drop);
-    if (!request.surroundings.empty()) write("surroundings", std::string_view(request.surroundings));
+    if (!request.surroundings.empty()) write("surroundings", request.surroundings);
     write("level", request.level);
-    write("coverage", std::string_view(request.level_of == LevelOf::entry ? "entry" : "matrix"));
-    write("seed", static_cast<std::int64_t>(request.seed.value));
-    write("max_samples", static_cast<std::int64_t>(request.max_samples));
+    write("coverage", request.level_of == LevelOf::entry ? "entry" : "matrix");
+    write("seed", request.seed.value);
+    write("max_samples", request.max_samples);
 }
 
 std::pair<SceneSource, Request> read_request(const StoredKeys& keys) {

@@ -7,9 +7,27 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace ff::studies::form_factors {
+
+/// Binds values to all parameters of a statement, in order, and runs it: texts, numbers (whole ones and truth values as
+/// 64-bit integers) and blobs.
+template <class... Values>
+void run_with(Statement& statement, const Values&... values) {
+    int parameter = 0;
+    const auto bind = [&]<class Value>(const Value& value) {
+        if constexpr (std::is_integral_v<Value>)
+            statement.bind(parameter++, static_cast<std::int64_t>(value));
+        else if constexpr (std::is_convertible_v<Value, std::string_view>)
+            statement.bind(parameter++, std::string_view(value));
+        else
+            statement.bind(parameter++, value);
+    };
+    (bind(values), ...);
+    statement.run();
+}
 
 /// The table of keys and values of a file, in which every number has to make sense.
 class StoredKeys {
