@@ -3,6 +3,7 @@
 #include "core/geometry/surface_map.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace ff {
@@ -11,20 +12,13 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-/// Places in a plane along the edges of a parallelogram.
-struct PlaneFrame {
-    Vector3d corner = Vector3d::Zero();
-    Vector3d u = Vector3d::UnitX();
-    Vector3d v = Vector3d::UnitY();
-
-    [[nodiscard]] Vector3d at(double s, double t) const { return corner + s * u + t * v; }
-    [[nodiscard]] std::array<double, 2> coordinates(const Vector3d& place) const {
-        const Vector3d across = u.cross(v);
-        const Vector3d offset = place - corner;
-        const double area = across.squaredNorm();
-        return {offset.cross(v).dot(across) / area, u.cross(offset).dot(across) / area};
-    }
-};
+/// Of a place in the plane of a parallelogram, along its edges.
+std::array<double, 2> coordinates(const Parallelogram& frame, const Vector3d& place) {
+    const Vector3d across = frame.edge_u.cross(frame.edge_v);
+    const Vector3d offset = place - frame.corner;
+    const double area = across.squaredNorm();
+    return {offset.cross(frame.edge_v).dot(across) / area, frame.edge_u.cross(offset).dot(across) / area};
+}
 
 }  // namespace
 
@@ -39,7 +33,7 @@ class ClusterTree::Builder {
         for (const Surface& wall : walls_) wall_boxes_.push_back(box_around(wall));
         tree_.leaf_of_.resize(surfaces.size());
         std::vector<std::uint32_t> order(walls_.size());
-        for (std::uint32_t w = 0; w < order.size(); ++w) order[w] = w;
+        std::iota(order.begin(), order.end(), 0U);
         if (!order.empty()) add_walls(order);
     }
 
@@ -116,10 +110,10 @@ class ClusterTree::Builder {
     }
 
     /// Of walls that are joined, which are parallelograms.
-    [[nodiscard]] static PlaneFrame frame_of(const Surface& wall) {
+    [[nodiscard]] static Parallelogram frame_of(const Surface& wall) {
         const auto* parallelogram = std::get_if<Parallelogram>(&wall.shape);
-        if (parallelogram == nullptr) return {};
-        return {parallelogram->corner, parallelogram->edge_u, parallelogram->edge_v};
+        if (parallelogram != nullptr) return *parallelogram;
+        return {Vector3d::Zero(), Vector3d::UnitX(), Vector3d::UnitY()};
     }
 
     void lay_flat(Cluster& cluster, std::span<const std::uint32_t> pieces, const Surface& wall) const {
@@ -130,30 +124,32 @@ class ClusterTree::Builder {
         cluster.plane = cluster.normal.dot(around.front());
         if (around.size() < 3) return;
         if (pieces.size() > 1 && pieces.size() < members_[cluster.wall].size()) {
-            const PlaneFrame frame = frame_of(wall);
+            const Parallelogram frame = frame_of(wall);
             Eigen::AlignedBox2d box;
             for (const std::uint32_t piece : pieces) {
                 for (const Vector3d& corner : corners(surfaces_[piece].shape)) {
-                    const auto [s, t] = frame.coordinates(corner);
+                    const auto [s, t] = coordinates(frame, corner);
                     box.extend(Eigen::Vector2d(s, t));
                 }
             }
             const auto [low, high] = std::pair(box.min(), box.max());
-            around = {frame.at(low.x(), low.y()), frame.at(high.x(), low.y()), frame.at(high.x(), high.y()),
-                      frame.at(low.x(), high.y())};
+            const auto at = [&](double s, double t) -> Vector3d {
+                return frame.corner + s * frame.edge_u + t * frame.edge_v;
+            };
+            around = {at(low.x(), low.y()), at(high.x(), low.y()), at(high.x(), high.y()), at(low.x(), high.y())};
         }
         cluster.corner_count = static_cast<std::uint8_t>(around.size());
         std::copy(around.begin(), around.end(), cluster.corners.begin());
     }
 
     /// Sorts pieces of a wall by place. @return how many belong to the lower half: whole rows where there are some
-    [[nodiscard]] std::size_t halved(std::span<std::uint32_t> pieces, const PlaneFrame& frame) const {
+    [[nodiscard]] std::size_t halved(std::span<std::uint32_t> pieces, const Parallelogram& frame) const {
         constexpr double same_row = 1e-9;
-        const auto place = [&](std::uint32_t piece) { return frame.coordinates(boxes_[piece].center()); };
+        const auto place = [&](std::uint32_t piece) { return coordinates(frame, boxes_[piece].center()); };
         Eigen::AlignedBox2d middles;
         for (const std::uint32_t piece : pieces) {
             const auto [s, t] = place(piece);
-            middles.extend(Eigen::Vector2d(s * frame.u.norm(), t * frame.v.norm()));
+            middles.extend(Eigen::Vector2d(s * frame.edge_u.norm(), t * frame.edge_v.norm()));
         }
         const std::size_t axis = middles.sizes().x() >= middles.sizes().y() ? 0 : 1;
         std::vector<std::pair<double, std::uint32_t>> order;

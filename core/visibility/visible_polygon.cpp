@@ -1,6 +1,6 @@
 #include "core/visibility/visible_polygon.hpp"
 
-#include "core/formulas/arc_sums.hpp"
+#include "core/formulas/arc_terms.hpp"
 #include "core/geometry/convex_polygon.hpp"
 #include "core/support/contract.hpp"
 
@@ -8,6 +8,7 @@
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -63,20 +64,13 @@ bool find_heights(const SmallPolygon& polygon, const Vector3d& normal, double ro
 }
 
 /// Takes the part where normal * v < 0 off a convex polygon. @return whether there is one; what is left may be empty
-bool cut(SmallPolygon& polygon, const Vector3d& normal, double rounding) {
+/// @param off  where not null: gets that part
+bool cut(SmallPolygon& polygon, const Vector3d& normal, double rounding, SmallPolygon* off = nullptr) {
     Heights heights;
     if (!find_heights(polygon, normal, rounding, heights)) return false;
+    if (off != nullptr) *off = part_of(polygon, heights, -1);
     polygon = part_of(polygon, heights, 1);
     return true;
-}
-
-/// The same. @return that part
-SmallPolygon cut_off(SmallPolygon& polygon, const Vector3d& normal, double rounding) {
-    Heights heights;
-    if (!find_heights(polygon, normal, rounding, heights)) return {};
-    SmallPolygon off = part_of(polygon, heights, -1);
-    polygon = part_of(polygon, heights, 1);
-    return off;
 }
 
 /// Blockers may be before each other by this share of the size of all.
@@ -181,7 +175,8 @@ class Adding {
             };
             if (std::any_of(others.begin(), others.end(), overlaps)) {
                 for (const Vector3d& side : shadow.sides) {
-                    SmallPolygon outside = cut_off(piece, side, rounding_);
+                    SmallPolygon outside;
+                    cut(piece, side, rounding_, &outside);
                     if (!outside.empty()) add(std::move(outside), others);
                     if (piece.empty()) break;
                 }
@@ -211,12 +206,12 @@ VisiblePolygon::VisiblePolygon(const Surface& target, const std::vector<Blocker>
     FF_EXPECT(!target_.empty());
     // Parts of blockers that lie behind the target's plane hide nothing.
     const Vector3d origin = target_.front();
-    for (const Vector3d& corner : target_)
-        rounding_ = std::max(rounding_, coordinate_rounding * corner.lpNorm<Eigen::Infinity>());
-    for (const Blocker& blocker : blockers) {
-        for (const Vector3d& corner : corners(blocker.surface->shape))
+    const auto allow_for = [&](const ConvexPolygon& polygon) {
+        for (const Vector3d& corner : polygon)
             rounding_ = std::max(rounding_, coordinate_rounding * corner.lpNorm<Eigen::Infinity>());
-    }
+    };
+    allow_for(target_);
+    for (const Blocker& blocker : blockers) allow_for(corners(blocker.surface->shape));
     for (const Blocker& blocker : blockers) {
         FF_EXPECT(is_polygon(blocker.surface->shape));
         hides_.push_back(blocker.faces == FacedEnd::either ? Hides::always
@@ -236,19 +231,17 @@ VisiblePolygon::VisiblePolygon(const Surface& target, const std::vector<Blocker>
 void VisiblePolygon::find_convex_pairs() {
     const std::size_t count = blockers_.size();
     are_convex_.resize(count * count);
-    std::vector<Plane> planes;
-    for (const std::vector<Vector3d>& blocker : blockers_) {
-        if (blocker.empty()) {
-            planes.emplace_back();
-            continue;
-        }
-        const Vector3d normal = twice_area(blocker).normalized();
-        planes.push_back({normal, normal.dot(blocker.front())});
-    }
     double size = 0;
-    for (const Vector3d& corner : target_) size = std::max(size, (corner - target_.front()).norm());
-    for (const auto& blocker : blockers_) {
-        for (const Vector3d& corner : blocker) size = std::max(size, (corner - target_.front()).norm());
+    const auto reach = [&](const ConvexPolygon& polygon) {
+        for (const Vector3d& corner : polygon) size = std::max(size, (corner - target_.front()).norm());
+    };
+    reach(target_);
+    for (const ConvexPolygon& blocker : blockers_) {
+        reach(blocker);
+        Plane& plane = planes_.emplace_back();
+        if (blocker.empty()) continue;
+        plane.normal = twice_area(blocker).normalized();
+        plane.offset = plane.normal.dot(blocker.front());
     }
     const double room = convex_room * size;
     const auto is_behind = [&](std::size_t blocker, const Plane& plane) {
@@ -258,13 +251,8 @@ void VisiblePolygon::find_convex_pairs() {
     for (std::size_t a = 0; a < count; ++a) {
         for (std::size_t b = 0; b < a; ++b)
             are_convex_[a * count + b] = are_convex_[b * count + a] =
-                is_behind(a, planes[b]) && is_behind(b, planes[a]);
+                is_behind(a, planes_[b]) && is_behind(b, planes_[a]);
     }
-    planes_ = std::move(planes);
-}
-
-VisiblePolygon::Factors VisiblePolygon::from(const Vector3d& place, const Vector3d& normal) const {
-    return from(place, normal, all_);
 }
 
 VisiblePolygon::Factors VisiblePolygon::from(const Vector3d& place, const Vector3d& normal,
@@ -321,22 +309,10 @@ void VisiblePolygon::find(std::span<const Vector3d> places, const Vector3d& norm
     }
     const std::span<const double> sum = sums.result();
     for (std::size_t k = 0; k < places.size(); ++k) {
+        const double unoccluded = sum[2 * k];
         const double other = sum[2 * k + 1];
-        result[k].whole = sum[2 * k];
-        switch (sights[k]) {
-            case Sight::nothing:
-                result[k].visible = 0;
-                break;
-            case Sight::all:
-                result[k].visible = result[k].whole;
-                break;
-            case Sight::all_but:
-                result[k].visible = result[k].whole - other;
-                break;
-            case Sight::part:
-                result[k].visible = other;
-                break;
-        }
+        const std::array visible{0.0, unoccluded, unoccluded - other, other};  // by sight
+        result[k] = {unoccluded, visible[static_cast<std::size_t>(sights[k])]};
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/scene.hpp"
+#include "core/geometry/convex_polygon.hpp"
 #include "core/visibility/blocker.hpp"
 
 #include <Eigen/Core>
@@ -27,7 +27,9 @@ class VisiblePolygon {
     };
 
     /// @param normal  of the element, unit length
-    [[nodiscard]] Factors from(const Eigen::Vector3d& place, const Eigen::Vector3d& normal) const;
+    [[nodiscard]] Factors from(const Eigen::Vector3d& place, const Eigen::Vector3d& normal) const {
+        return from(place, normal, all_);
+    }
     /// The same with these blockers only, given by index.
     [[nodiscard]] Factors from(const Eigen::Vector3d& place, const Eigen::Vector3d& normal,
                                std::span<const std::uint32_t> blockers) const;
@@ -40,9 +42,9 @@ class VisiblePolygon {
               std::span<const std::uint32_t> blockers, std::span<Factors> result) const;
 
   private:
-    std::vector<Eigen::Vector3d> target_;  ///< counter-clockwise as seen from the side that receives
+    ConvexPolygon target_;  ///< counter-clockwise as seen from the side that receives
     Eigen::Vector3d target_normal_;
-    std::vector<std::vector<Eigen::Vector3d>> blockers_;  ///< the parts in front of the target
+    std::vector<ConvexPolygon> blockers_;  ///< the parts in front of the target
     struct Plane {
         Eigen::Vector3d normal;
         double offset = 0;
