@@ -2,7 +2,7 @@
 
 #include "core/geometry/scene.hpp"
 #include "core/points/points.hpp"
-#include "core/visibility/contact.hpp"
+#include "core/visibility/touching.hpp"
 
 #include <array>
 #include <cstdint>

@@ -20,12 +20,6 @@ constexpr double far_off = 8;
 /// Logarithms of sizes whose squares are ordinary numbers in single precision.
 constexpr int most_exponent = 20;
 
-Eigen::AlignedBox3d box_around(const Scene& scene) {
-    Eigen::AlignedBox3d box;
-    for (const Surface& surface : scene.surfaces) box.extend(box_around(surface));
-    return box;
-}
-
 }  // namespace
 
 Placement placement_of(const Scene& scene) {

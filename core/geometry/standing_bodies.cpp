@@ -3,7 +3,6 @@
 #include "core/geometry/box_tree.hpp"
 #include "core/geometry/ear_clipping.hpp"
 #include "core/geometry/place_numbers.hpp"
-#include "core/geometry/polygon_parts.hpp"
 #include "core/geometry/surface_map.hpp"
 
 #include <Eigen/Geometry>
@@ -211,11 +210,9 @@ std::vector<std::uint32_t> walk(std::map<std::uint32_t, std::uint32_t>& edges) {
 std::vector<Finder::Cover> Finder::covered_by_rim(const ConvexPolygon& rim, const std::vector<std::uint32_t>& body,
                                                   const BoxTree& tree) const {
     const Vector3d normal = twice_area(rim).normalized();  // to where a body stands whose sides face outwards
-    Eigen::AlignedBox3d box;
-    for (const Vector3d& corner : rim) {
-        if (std::abs(normal.dot(corner - rim.front())) > gap_) return {};
-        box.extend(corner);
-    }
+    const auto is_off = [&](const Vector3d& corner) { return std::abs(normal.dot(corner - rim.front())) > gap_; };
+    if (std::any_of(rim.begin(), rim.end(), is_off)) return {};
+    const Eigen::AlignedBox3d box = box_around(rim);
     const auto is_before = [&](std::uint32_t part) { return heights(part, normal, rim.front()).low >= -gap_; };
     const auto is_above = [&](std::uint32_t part) { return rises(part, normal, rim.front()); };
     if (!std::all_of(body.begin(), body.end(), is_before) || std::none_of(body.begin(), body.end(), is_above))

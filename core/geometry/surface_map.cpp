@@ -198,6 +198,12 @@ Eigen::AlignedBox3d box_around(const Surface& surface) {
     return box;
 }
 
+Eigen::AlignedBox3d box_around(const Scene& scene) {
+    Eigen::AlignedBox3d box;
+    for (const Surface& surface : scene.surfaces) box.extend(box_around(surface));
+    return box;
+}
+
 Vector3d middle(const Surface& surface) {
     const Eigen::AlignedBox3d box = box_around(surface);
     return (box.min() + box.max()) / 2;

@@ -57,8 +57,9 @@ struct Extent {
 Extent extent(const Surface& surface, const Eigen::Vector3d& direction);
 Extent extent(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& direction);
 
-/// The axis-aligned box around a surface.
+/// The axis-aligned box around a surface, or around all of a scene.
 Eigen::AlignedBox3d box_around(const Surface& surface);
+Eigen::AlignedBox3d box_around(const Scene& scene);
 
 /// The middle of that box.
 Eigen::Vector3d middle(const Surface& surface);

@@ -82,10 +82,8 @@ double common_area(const Surface& a, const Surface& b) {
 }
 
 double level_gap(const Scene& scene) {
-    Eigen::AlignedBox3d box;
-    for (const Surface& surface : scene.surfaces) box.extend(box_around(surface));
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    return std::max({rounding_room * box.diagonal().norm(), 8 * epsilon * farthest_coordinate(scene),
+    return std::max({rounding_room * box_around(scene).diagonal().norm(), 8 * epsilon * farthest_coordinate(scene),
                      planes_off * scene.coordinate_rounding});
 }
 

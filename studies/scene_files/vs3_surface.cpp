@@ -1,7 +1,7 @@
 #include "studies/scene_files/vs3_surface.hpp"
 
+#include "core/geometry/convex_polygon.hpp"
 #include "core/geometry/ear_clipping.hpp"
-#include "core/geometry/polygon_parts.hpp"
 
 #include <fmt/format.h>
 

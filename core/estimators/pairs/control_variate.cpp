@@ -4,10 +4,10 @@
 #include "core/estimators/pairs/patch_pairs.hpp"
 #include "core/estimators/unmet.hpp"
 #include "core/formulas/polygon_exchange.hpp"
-#include "core/visibility/contact.hpp"
 #include "core/visibility/facing.hpp"
 #include "core/visibility/mirrors.hpp"
 #include "core/visibility/occlusion.hpp"
+#include "core/visibility/touching.hpp"
 
 #include <Eigen/Core>
 

@@ -1,4 +1,4 @@
-#include "core/visibility/contact.hpp"
+#include "core/visibility/touching.hpp"
 
 #include "core/geometry/box.hpp"
 

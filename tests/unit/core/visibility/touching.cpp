@@ -1,6 +1,5 @@
 #include "core/visibility/touching.hpp"
 
-#include "core/visibility/contact.hpp"
 #include "core/visibility/facing.hpp"
 #include "core/visibility/pair_class.hpp"
 #include "tests/support/round_scenes.hpp"
