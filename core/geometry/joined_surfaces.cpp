@@ -227,8 +227,4 @@ JoinedSurfaces join_level_surfaces(const Scene& scene) {
     return joiner.result(scene);
 }
 
-Scene with_joined_surfaces(const Scene& scene) {
-    return join_level_surfaces(scene).scene;
-}
-
 }  // namespace ff

@@ -20,7 +20,4 @@ struct JoinedSurfaces {
 /// coordinate).
 JoinedSurfaces join_level_surfaces(const Scene& scene);
 
-/// Only the scene.
-Scene with_joined_surfaces(const Scene& scene);
-
 }  // namespace ff

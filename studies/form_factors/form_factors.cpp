@@ -247,7 +247,7 @@ Matrix find_matrix(const Scene& whole_scene, const Request& request) {
     if (!request.surroundings.empty()) expect_surroundings(whole_scene, request.surroundings);
     if (request.repair && request.surroundings.empty()) expect_repairable(whole_scene);
     const Placement placement = placement_of(whole_scene);
-    const Scene scene = with_joined_surfaces(placed(whole_scene, placement));
+    const Scene scene = join_level_surfaces(placed(whole_scene, placement)).scene;
     Matrix matrix;
     matrix.surfaces = scene.surfaces.size();
     FacePairs geometry = examine_pairs(scene, request);

@@ -83,7 +83,7 @@ void expect_same_cover(const Scene& joined, const Scene& scene) {
 TEST(JoinedSurfaces, RecoverTiledWalls) {
     for (const std::uint32_t m : {2u, 3u, 13u}) {
         const Scene scene = tiled(make_box(1, 2, 0.7), m);
-        const Scene joined = with_joined_surfaces(scene);
+        const Scene joined = join_level_surfaces(scene).scene;
         EXPECT_EQ(joined.surfaces.size(), 6u) << m;
         expect_same_cover(joined, scene);
     }
@@ -91,7 +91,7 @@ TEST(JoinedSurfaces, RecoverTiledWalls) {
 
 TEST(JoinedSurfaces, RecoverTheWallsOfAMesh) {
     const Scene scene = triangulated(tiled(make_box(1, 2, 0.7), 8));
-    const Scene joined = with_joined_surfaces(scene);
+    const Scene joined = join_level_surfaces(scene).scene;
     EXPECT_EQ(joined.surfaces.size(), 6u);
     expect_same_cover(joined, scene);
 }
@@ -106,9 +106,9 @@ TEST(JoinedSurfaces, StaySeparateAcrossFacesAndSides) {
     add(0, 0, 1);
     add(1, 1, 1);    // of another face
     add(-1, 0, -1);  // looks the other way
-    EXPECT_EQ(with_joined_surfaces(scene).surfaces.size(), 3u);
+    EXPECT_EQ(join_level_surfaces(scene).scene.surfaces.size(), 3u);
     add(1, 0, 1);  // and this one continues the first
-    EXPECT_EQ(with_joined_surfaces(scene).surfaces.size(), 3u);
+    EXPECT_EQ(join_level_surfaces(scene).scene.surfaces.size(), 3u);
 }
 
 TEST(JoinedSurfaces, ExcludeOverlappingOnes) {
@@ -118,7 +118,7 @@ TEST(JoinedSurfaces, ExcludeOverlappingOnes) {
         scene.surfaces.push_back(
             {Parallelogram{{0, 0, 0}, length * Vector3d::UnitX(), Vector3d::UnitY()}, Vector3d::UnitZ(), 0});
     }
-    EXPECT_EQ(with_joined_surfaces(scene).surfaces.size(), 2u);
+    EXPECT_EQ(join_level_surfaces(scene).scene.surfaces.size(), 2u);
 }
 
 TEST(JoinedSurfaces, DivideAnLShapeIntoTwo) {
@@ -128,7 +128,7 @@ TEST(JoinedSurfaces, DivideAnLShapeIntoTwo) {
         scene.surfaces.push_back(
             {Parallelogram{Vector3d(x, y, 0), Vector3d::UnitX(), Vector3d::UnitY()}, Vector3d::UnitZ(), 0});
     }
-    const Scene joined = with_joined_surfaces(scene);
+    const Scene joined = join_level_surfaces(scene).scene;
     EXPECT_EQ(joined.surfaces.size(), 2u);
     expect_same_cover(joined, scene);
 }
