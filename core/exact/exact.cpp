@@ -47,11 +47,11 @@ Real exchange_area(const AlignedRectangle& from, const AlignedRectangle& to) {
 }
 
 template <class Real>
-std::optional<double> exchange_area_of_rectangles(const Surface& from, const Surface& to) {
+std::optional<Real> exchange_area_of_rectangles(const Surface& from, const Surface& to) {
     const auto from_rectangle = aligned_rectangle(from);
     const auto to_rectangle = aligned_rectangle(to);
     if (!from_rectangle || !to_rectangle) return std::nullopt;
-    return static_cast<double>(exchange_area<Real>(*from_rectangle, *to_rectangle));
+    return exchange_area<Real>(*from_rectangle, *to_rectangle);
 }
 
 /// A place that receives for a face.
@@ -84,7 +84,8 @@ std::optional<double> exact_exchange_area(const Surface& from, const Surface& to
 }
 
 std::optional<double> extended_exchange_area(const Surface& from, const Surface& to) {
-    return exchange_area_of_rectangles<long double>(from, to);
+    const auto area = exchange_area_of_rectangles<long double>(from, to);
+    return area ? std::optional(static_cast<double>(*area)) : std::nullopt;
 }
 
 double squared_extent(const Surface& from, const Surface& to) {
@@ -95,17 +96,14 @@ std::optional<double> exact_form_factor(const Scene& scene, int from_face, int t
     FF_EXPECT(from_face >= 0 && static_cast<std::size_t>(from_face) < scene.faces.size());
     FF_EXPECT(to_face >= 0 && static_cast<std::size_t>(to_face) < scene.faces.size());
     long double sum = 0;
-    for (const Surface& from : scene.surfaces) {
-        if (from.face != from_face) continue;
-        for (const Surface& to : scene.surfaces) {
-            if (to.face != to_face) continue;
-            const auto places = images(scene, to);
-            const auto from_rectangle = aligned_rectangle(from);
-            if (!places || !from_rectangle) return std::nullopt;
+    for (const Surface* from : surfaces_of(scene, from_face)) {
+        for (const Surface* to : surfaces_of(scene, to_face)) {
+            const auto places = images(scene, *to);
+            if (!places) return std::nullopt;
             for (const Surface& place : *places) {
-                const auto to_rectangle = aligned_rectangle(place);
-                if (!to_rectangle) return std::nullopt;
-                sum += exchange_area<long double>(*from_rectangle, *to_rectangle);
+                const auto area = exchange_area_of_rectangles<long double>(*from, place);
+                if (!area) return std::nullopt;
+                sum += *area;
             }
         }
     }

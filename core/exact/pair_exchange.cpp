@@ -20,45 +20,31 @@ BoundedValue<double> contour_exchange(const Surface& from, const Surface& to, do
     return {static_cast<double>(exact.value), static_cast<double>(exact.error) + 1e-16 * brief.value};
 }
 
-/// An exchange area and how it was computed. Among several candidates, the one with the least error is used.
-struct Candidate {
-    ExchangeMethod method = ExchangeMethod::closed_form;
-    BoundedValue<double> area;
-};
-
-/// The exchange area of polygons with nothing in between, by the cheapest method whose error is at most `wanted`; if no
-/// method comes so close, by the most accurate one.
-Candidate clear_polygons(const Surface& from, const Surface& to, double wanted) {
-    std::optional<Candidate> best;
-    const auto is_good = [&](ExchangeMethod method, const BoundedValue<double>& area) {
-        if (!best || area.error < best->area.error) best = {method, area};
-        return best->area.error <= wanted;
+/// The exchange of surfaces with nothing in between: of polygons by the cheapest method whose error is at most
+/// `wanted`; if no method comes so close, by the most accurate one.
+PairExchange clear_exchange(const Surface& from, const Surface& to, double wanted) {
+    if (!is_polygon(from.shape) || !is_polygon(to.shape))
+        return {ExchangeMethod::rays, ExchangeReason::curved, std::nullopt, {}};
+    PairExchange best{.area = std::nullopt, .blockers = {}};
+    const auto is_good = [&](ExchangeMethod method, ExchangeReason reason, const BoundedValue<double>& area) {
+        if (!best.area || area.error < best.area->error) best = {method, reason, area, {}};
+        return best.area->error <= wanted;
     };
     const double extent = squared_extent(from, to);
     const auto closed_form = exact_exchange_area(from, to);
-    if (closed_form && is_good(ExchangeMethod::closed_form, {std::max(0.0, *closed_form), 1e-15 * extent}))
-        return *best;
-    if (!closed_form && is_good(ExchangeMethod::contour, contour_exchange(from, to, wanted))) return *best;
+    if (closed_form &&
+        is_good(ExchangeMethod::closed_form, ExchangeReason::aligned, {std::max(0.0, *closed_form), 1e-15 * extent}))
+        return best;
+    if (!closed_form && is_good(ExchangeMethod::contour, ExchangeReason::polygons, contour_exchange(from, to, wanted)))
+        return best;
     const auto far = far_exchange_area(from, to);
-    if (far && is_good(ExchangeMethod::quadrature, *far)) return *best;
+    if (far && is_good(ExchangeMethod::quadrature, ExchangeReason::far, *far)) return best;
     if (closed_form) {
         const double exact = *extended_exchange_area(from, to);
-        if (!is_good(ExchangeMethod::closed_form, {exact, 1e-18 * extent + 1e-16 * exact}))
-            is_good(ExchangeMethod::contour, contour_exchange(from, to, wanted));
+        if (!is_good(ExchangeMethod::closed_form, ExchangeReason::aligned, {exact, 1e-18 * extent + 1e-16 * exact}))
+            is_good(ExchangeMethod::contour, ExchangeReason::polygons, contour_exchange(from, to, wanted));
     }
-    return *best;
-}
-
-/// The exchange of surfaces with nothing in between. Its area is empty where a surface is not a polygon.
-PairExchange clear_exchange(const Surface& from, const Surface& to, double wanted) {
-    if (!is_polygon(from.shape) || !is_polygon(to.shape)) {
-        return {ExchangeMethod::rays, ExchangeReason::curved, std::nullopt, {}};
-    }
-    const Candidate best = clear_polygons(from, to, wanted);
-    const ExchangeReason reason = best.method == ExchangeMethod::closed_form  ? ExchangeReason::aligned
-                                  : best.method == ExchangeMethod::quadrature ? ExchangeReason::far
-                                                                              : ExchangeReason::polygons;
-    return {best.method, reason, best.area, {}};
+    return best;
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace ff {
 namespace {
@@ -46,18 +45,17 @@ double farthest_coordinate(const Scene& scene) {
 
 double rounding_of_far_coordinates(const Scene& scene, const Placement& placement) {
     double rounding = 0;
+    const Eigen::AlignedBox3d all = box_around(scene);
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         if (placement.origin[axis] == 0) continue;
-        std::vector<double> ends;
-        for (const Surface& surface : scene.surfaces) {
-            const Eigen::AlignedBox3d box = box_around(surface);
-            ends.insert(ends.end(), {box.min()[axis], box.max()[axis]});
-        }
-        const double farthest = std::max(std::abs(*std::min_element(ends.begin(), ends.end())),
-                                         std::abs(*std::max_element(ends.begin(), ends.end())));
+        const double farthest = std::max(std::abs(all.min()[axis]), std::abs(all.max()[axis]));
         const double last_place = std::ldexp(std::numeric_limits<double>::epsilon(), std::ilogb(farthest));
-        if (std::any_of(ends.begin(), ends.end(),
-                        [&](double end) { return std::remainder(end, 256 * last_place) != 0; }))
+        const auto is_fine = [&](double end) { return std::remainder(end, 256 * last_place) != 0; };
+        const auto has_fine_end = [&](const Surface& surface) {
+            const Eigen::AlignedBox3d box = box_around(surface);
+            return is_fine(box.min()[axis]) || is_fine(box.max()[axis]);
+        };
+        if (std::any_of(scene.surfaces.begin(), scene.surfaces.end(), has_fine_end))
             rounding = std::max(rounding, last_place / 2);
     }
     return rounding;
