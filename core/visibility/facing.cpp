@@ -2,7 +2,6 @@
 
 #include "core/geometry/surface_map.hpp"
 #include "core/visibility/mirrors.hpp"
-#include "core/visibility/rounding_room.hpp"
 #include "core/visibility/touching.hpp"
 
 #include <Eigen/Geometry>

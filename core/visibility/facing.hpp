@@ -2,7 +2,26 @@
 
 #include "core/geometry/scene.hpp"
 
+#include <cstdint>
+
 namespace ff {
+
+/// Allowance for rounding, relative to what is compared: a patch, a surface or a pair of surfaces. Gaps below this
+/// share of its size count as none, and so do angles below it.
+inline constexpr double rounding_room = 1e-12;
+
+/// The end of a pair of surfaces, `from` or `to`, that a side of a body has to face for what it hides to count: sides
+/// that turn their back to it hide nothing that no other side of the body hides.
+enum class FacedEnd : std::uint8_t { either, from, to };
+
+/// What may stand between two surfaces.
+struct Blocker {
+    const Surface* surface = nullptr;
+    FacedEnd faces = FacedEnd::either;
+
+    Blocker(const Surface* blocker, FacedEnd end = FacedEnd::either)  // NOLINT(google-explicit-constructor): a surface
+        : surface(blocker), faces(end) {}                             // alone hides whatever it faces
+};
 
 /// Whether parts of each surface may lie in front of the other: if not, their exchange is 0. For curved surfaces it
 /// only decides that a concave one sees itself and a convex one does not.

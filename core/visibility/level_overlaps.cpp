@@ -5,7 +5,7 @@
 #include "core/geometry/line_meets.hpp"
 #include "core/geometry/placement.hpp"
 #include "core/geometry/surface_map.hpp"
-#include "core/visibility/rounding_room.hpp"
+#include "core/visibility/facing.hpp"
 
 #include <Eigen/Geometry>
 

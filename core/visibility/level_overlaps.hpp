@@ -8,7 +8,7 @@
 namespace ff {
 
 /// Planes nearer than this may be the same but for rounding: of the coordinates as they were read, of computing with
-/// them, and the room that proofs about occlusion have (core/visibility/rounding_room.hpp). So a surface in front of
+/// them, and the room that proofs about occlusion have (core/visibility/facing.hpp). So a surface in front of
 /// another either hides it or is level with it.
 double level_gap(const Scene& scene);
 

@@ -3,10 +3,10 @@
 #include "core/geometry/joined_surfaces.hpp"
 #include "core/geometry/scene.hpp"
 #include "core/geometry/shaft.hpp"
-#include "core/visibility/blocker.hpp"
 #include "core/visibility/bodies.hpp"
 #include "core/visibility/cluster_tree.hpp"
 #include "core/visibility/curtains.hpp"
+#include "core/visibility/facing.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -4,7 +4,6 @@
 #include "core/geometry/surface_map.hpp"
 #include "core/support/contract.hpp"
 #include "core/visibility/facing.hpp"
-#include "core/visibility/rounding_room.hpp"
 
 #include <Eigen/Dense>
 

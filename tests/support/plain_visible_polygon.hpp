@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/scene.hpp"
-#include "core/visibility/blocker.hpp"
+#include "core/visibility/facing.hpp"
 
 #include <Eigen/Core>
 

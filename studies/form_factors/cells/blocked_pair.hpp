@@ -2,7 +2,7 @@
 
 #include "core/geometry/convex_polygon.hpp"
 #include "core/geometry/scene.hpp"
-#include "core/visibility/blocker.hpp"
+#include "core/visibility/facing.hpp"
 
 #include <Eigen/Core>
 
