@@ -1,118 +1,86 @@
 #include "studies/form_factors/sampled_row.hpp"
 
 #include <bit>
-#include <concepts>
 #include <type_traits>
 
 namespace ff::studies::form_factors {
 namespace {
 
-/// The order of members, said once for both directions.
-template <class Archive>
-void pass(Archive& archive, EstimatedSum& estimate) {
-    archive(estimate.value, estimate.down, estimate.up, estimate.unmet);
-}
-
-template <class Archive>
-void pass(Archive& archive, SampledSum::Term& term) {
-    SampledShare& share = term.share;
-    archive(term.scale, share.points, share.unmet.rough, share.unmet.smooth, share.unmet.power, share.hits, share.met);
-    archive.list(share.means, [&](double& mean) { archive(mean); });
-}
-
-template <class Archive>
-void pass(Archive& archive, PairEstimate& estimate) {
-    archive(estimate.method, estimate.level, estimate.samples, estimate.contradicted);
-    pass(archive, estimate.other);
-    bool is_sampled = estimate.sum.has_value();
-    archive(is_sampled);
-    if (!is_sampled) return;
-    if (!estimate.sum) estimate.sum.emplace();
-    archive(estimate.sum->offset, estimate.sum->offset_error);
-    archive.list(estimate.sum->terms, [&](SampledSum::Term& term) { pass(archive, term); });
-}
-
-template <class Archive>
-void pass(Archive& archive, SampledRow& row) {
-    archive(row.row, row.samples, row.rays, row.lost);
-    archive.list(row.estimates, [&](std::pair<std::uint32_t, PairEstimate>& pair) {
-        archive(pair.first);
-        pass(archive, pair.second);
-    });
-}
-
-template <class Value>
-concept WholeOrName = std::integral<Value> || std::is_enum_v<Value>;
-
-std::uint64_t to_word(double value) {
-    return std::bit_cast<std::uint64_t>(value);
-}
-template <WholeOrName Whole>
-std::uint64_t to_word(Whole value) {
-    return static_cast<std::uint64_t>(value);
-}
-void from_word(std::uint64_t word, double& value) {
-    value = std::bit_cast<double>(word);
-}
-template <WholeOrName Whole>
-void from_word(std::uint64_t word, Whole& value) {
-    value = static_cast<Whole>(word);
-}
-
-struct WordWriter {
-    std::vector<std::uint64_t> words;
-
-    template <class... Values>
-    void operator()(const Values&... values) {
-        (words.push_back(to_word(values)), ...);
-    }
-    template <class Value, class Each>
-    void list(std::vector<Value>& values, Each each) {
-        words.push_back(values.size());
-        for (Value& value : values) each(value);
-    }
-};
-
-/// Gives zeros and empty lists after the end, and says so.
-struct WordReader {
-    std::span<const std::uint64_t> words;
+/// Passes values to words, or from words to values: then it leaves values as they are after the end, and says so.
+struct Words {
+    std::vector<std::uint64_t> words{};
+    bool reads = false;
+    std::size_t at = 0;
     bool sound = true;
 
     template <class... Values>
     void operator()(Values&... values) {
-        (from_word(next(), values), ...);
+        (pass(values), ...);
     }
     template <class Value, class Each>
     void list(std::vector<Value>& values, Each each) {
-        const std::uint64_t size = next();
-        sound = sound && size <= words.size();
-        for (std::uint64_t i = 0; sound && i < size; ++i) each(values.emplace_back());
+        std::uint64_t size = values.size();
+        pass(size);
+        sound = sound && (!reads || size <= words.size() - at);
+        for (std::uint64_t i = 0; sound && i < size; ++i) each(reads ? values.emplace_back() : values[i]);
     }
 
   private:
-    std::uint64_t next() {
-        sound = sound && !words.empty();
-        if (!sound) return 0;
-        const std::uint64_t word = words.front();
-        words = words.subspan(1);
-        return word;
+    template <class Value>
+    void pass(Value& value) {
+        if constexpr (std::is_same_v<Value, double>) {
+            std::uint64_t word = std::bit_cast<std::uint64_t>(value);
+            pass(word);
+            value = std::bit_cast<double>(word);
+        } else if (!reads) {
+            words.push_back(static_cast<std::uint64_t>(value));
+        } else {
+            sound = sound && at < words.size();
+            if (sound) value = static_cast<Value>(words[at++]);
+        }
     }
 };
+
+/// The order of members, said once for both directions.
+void pass(Words& words, SampledSum::Term& term) {
+    SampledShare& share = term.share;
+    words(term.scale, share.points, share.unmet.rough, share.unmet.smooth, share.unmet.power, share.hits, share.met);
+    words.list(share.means, [&](double& mean) { words(mean); });
+}
+
+void pass(Words& words, PairEstimate& estimate) {
+    words(estimate.method, estimate.level, estimate.samples, estimate.contradicted);
+    words(estimate.other.value, estimate.other.down, estimate.other.up, estimate.other.unmet);
+    bool is_sampled = estimate.sum.has_value();
+    words(is_sampled);
+    if (!is_sampled) return;
+    if (!estimate.sum) estimate.sum.emplace();
+    words(estimate.sum->offset, estimate.sum->offset_error);
+    words.list(estimate.sum->terms, [&](SampledSum::Term& term) { pass(words, term); });
+}
+
+void pass(Words& words, SampledRow& row) {
+    words(row.row, row.samples, row.rays, row.lost);
+    words.list(row.estimates, [&](std::pair<std::uint32_t, PairEstimate>& pair) {
+        words(pair.first);
+        pass(words, pair.second);
+    });
+}
 
 }  // namespace
 
 std::vector<std::uint64_t> to_words(const SampledRow& row) {
-    WordWriter writer;
+    Words words;
     SampledRow copy = row;
-    pass(writer, copy);
-    return std::move(writer.words);
+    pass(words, copy);
+    return std::move(words.words);
 }
 
 std::optional<SampledRow> sampled_row(std::span<const std::uint64_t> words) {
-    WordReader reader{words};
+    Words reader{.words = {words.begin(), words.end()}, .reads = true};
     SampledRow row;
     pass(reader, row);
-    if (!reader.sound || !reader.words.empty()) return std::nullopt;
+    if (!reader.sound || reader.at < words.size()) return std::nullopt;
     return row;
 }
 
