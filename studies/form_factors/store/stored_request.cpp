@@ -7,40 +7,30 @@
 #include <algorithm>
 
 namespace ff::studies::form_factors {
-namespace {
-
-/// A statement at its only row. @throws IoError where there is none
-Statement& at_row(Statement& query, std::string_view key, const StoredKeys& keys) {
-    query.bind(0, key);
-    keys.expect(query.step(), key);
-    return query;
-}
-
-std::string select(const StoreFormat& format) {
-    return fmt::format("SELECT value FROM {} WHERE key = ?", format.keys);
-}
-
-}  // namespace
-
 void StoredKeys::expect(bool sound, std::string_view what) const {
     if (!sound) report_damage(file_, fmt::format("{} that no run has written", what));
 }
 
+template <class Get>
+auto StoredKeys::value(std::string_view key, Get get) const {
+    Statement query(database_.handle(), fmt::format("SELECT value FROM {} WHERE key = ?", format_.keys));
+    query.bind(0, key);
+    expect(query.step(), key);
+    return (query.*get)(0);
+}
+
 std::string StoredKeys::text(std::string_view key) const {
-    Statement query(database_.handle(), select(format_));
-    return at_row(query, key, *this).text(0);
+    return value(key, &Statement::text);
 }
 
 double StoredKeys::real(std::string_view key) const {
-    Statement query(database_.handle(), select(format_));
-    return at_row(query, key, *this).real(0);
+    return value(key, &Statement::real);
 }
 
 std::uint64_t StoredKeys::count(std::string_view key) const {
-    Statement query(database_.handle(), select(format_));
-    const std::int64_t value = at_row(query, key, *this).integer(0);
-    expect(value >= 0, key);
-    return static_cast<std::uint64_t>(value);
+    const std::int64_t count = value(key, &Statement::integer);
+    expect(count >= 0, key);
+    return static_cast<std::uint64_t>(count);
 }
 
 void write_request(const Database& database, const StoreFormat& format, const SceneSource& source,

@@ -49,6 +49,10 @@ class StoredKeys {
     const Database& database_;
     const StoreFormat& format_;
     const std::filesystem::path& file_;
+
+    /// @param get  how to read a column of a statement
+    template <class Get>
+    [[nodiscard]] auto value(std::string_view key, Get get) const;
 };
 
 /// Scene and request of a matrix, as far as the result depends on them, in a table of keys and values.
