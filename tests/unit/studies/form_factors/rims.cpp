@@ -1,7 +1,7 @@
 #include "studies/form_factors/cells/part_bounds.hpp"
 
 #include "core/visibility/visible_polygon.hpp"
-#include "studies/form_factors/cells/cell_shapes.hpp"
+#include "studies/form_factors/cells/cell_factors.hpp"
 
 #include <gtest/gtest.h>
 
