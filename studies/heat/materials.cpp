@@ -19,12 +19,8 @@ constexpr double hottest = 1e9;  // K; the coldest but 0 is its inverse
 constexpr double least_emissivity = 1e-9;
 constexpr double largest = 1e60;  // of fluxes and emissions; smaller than its inverse are 0 or nothing
 
-bool is_temperature(const std::optional<double>& kelvin) {
-    return !kelvin || *kelvin == 0 || (*kelvin <= hottest && *kelvin >= 1 / hottest);
-}
-
-bool is_held(const std::optional<double>& value) {
-    return !value || *value == 0 || (std::abs(*value) <= largest && std::abs(*value) >= 1 / largest);
+bool is_held(const std::optional<double>& value, double most = largest) {
+    return !value || *value == 0 || (std::abs(*value) <= most && std::abs(*value) >= 1 / most);
 }
 
 /// Whether the text is the pattern, in which * stands for any letters.
@@ -76,7 +72,7 @@ Material read_material(const TomlReader& reader, bool may_be_said) {
                                 : "(neither temperature nor flux is given). Give one; flux = 0 is adiabatic.");
     expect(!material.temperature || *material.temperature >= 0, reader, "temperature",
            "(kelvin are never negative; add 273.15 to degrees Celsius). Write it like 293.15.");
-    expect(is_temperature(material.temperature), reader, "temperature", "(0, or from 1e-9 to 1e9 K). Correct it.");
+    expect(is_held(material.temperature, hottest), reader, "temperature", "(0, or from 1e-9 to 1e9 K). Correct it.");
     expect(is_held(material.flux), reader, "flux", "(0, or from 1e-60 to 1e60 in size). Correct it.");
     return material;
 }
