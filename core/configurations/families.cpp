@@ -32,14 +32,6 @@ Factor of_pair(long double factor, int from, int to) {
     return from == to ? std::nullopt : Factor(factor);
 }
 
-Factor squares_blocked(double edge, int from, int to) {
-    return of_pair(squares_blocked_factor(edge), from, to);
-}
-
-Factor squares_through_aperture(double edge, int from, int to) {
-    return of_pair(squares_through_aperture_factor(edge), from, to);
-}
-
 /// The form factor from the long wall of 3 x 3 to the end of 1 x 3, and back; empty for other pairs.
 Factor l_shaped_room(double depth, int from, int to) {
     if (std::min(from, to) != 0 || std::max(from, to) != 1) return std::nullopt;
@@ -56,9 +48,9 @@ Factor nested_cubes(double inner, int from, int to) {
 
 constexpr std::array families{
     SceneFamily{"squares_blocked", "edge of the square in the middle", 0, 1, 0.5, scenes::squares_blocked,
-                squares_blocked},
+                [](double edge, int from, int to) { return of_pair(squares_blocked_factor(edge), from, to); }},
     SceneFamily{"squares_through_aperture", "edge of the hole", 0, 1, 0.5, scenes::squares_through_aperture,
-                squares_through_aperture},
+                [](double edge, int from, int to) { return of_pair(squares_through_aperture_factor(edge), from, to); }},
     SceneFamily{"l_shaped_room", "depth of the second leg behind the corner", least_depth, most_depth, 2,
                 scenes::l_shaped_room, l_shaped_room},
     SceneFamily{"nested_cubes", "edge of the inner cube", least_inner_edge, most_inner_edge, 2, scenes::nested_cubes,

@@ -12,15 +12,11 @@
 
 namespace ff {
 
-double area(const Parallelogram& shape) {
-    return shape.edge_u.cross(shape.edge_v).norm();
-}
-
 double area(const Shape& shape) {
     constexpr double pi = std::numbers::pi;
     return std::visit(
         Overloaded{
-            [](const Parallelogram& p) { return area(p); },
+            [](const Parallelogram& p) { return p.edge_u.cross(p.edge_v).norm(); },
             [](const Triangle& p) { return (p.b - p.a).cross(p.c - p.a).norm() / 2; },
             [](const Disc& p) { return pi * (p.outer_radius - p.inner_radius) * (p.outer_radius + p.inner_radius); },
             [](const Frustum& p) {

@@ -80,7 +80,6 @@ struct Subdivision {
 };
 
 /// Area of a shape, in squared units of length.
-double area(const Parallelogram& shape);
 double area(const Shape& shape);
 
 /// The corners of a parallelogram or a triangle in order around it; none of a round shape.

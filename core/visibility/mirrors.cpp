@@ -67,13 +67,10 @@ Scene with_mirrors(Scene scene, std::span<const std::string> faces) {
 Surface reflected(const Surface& surface, const Surface& mirror) {
     const Eigen::Vector3d& n = mirror.normal;
     const auto turned = [&](const Eigen::Vector3d& v) { return Eigen::Vector3d(v - 2 * n.dot(v) * n); };
-    Surface image = surface;
-    parallelogram(image).corner =
-        parallelogram(mirror).corner + turned(parallelogram(surface).corner - parallelogram(mirror).corner);
-    parallelogram(image).edge_u = turned(parallelogram(surface).edge_u);
-    parallelogram(image).edge_v = turned(parallelogram(surface).edge_v);
-    image.normal = turned(surface.normal);
-    return image;
+    const auto& [corner, edge_u, edge_v] = parallelogram(surface);
+    const Eigen::Vector3d& fixed = parallelogram(mirror).corner;
+    const Parallelogram image{fixed + turned(corner - fixed), turned(edge_u), turned(edge_v)};
+    return {image, turned(surface.normal), surface.face, surface.grid};
 }
 
 std::optional<std::vector<Surface>> images(const Scene& scene, const Surface& surface) {

@@ -73,14 +73,6 @@ void for_both(const Pair& pair, const Use& use) {
 
 }  // namespace
 
-void OrderlessSum::add(double value) {
-    units_ += static_cast<Units>(std::ldexp(value, 100));
-}
-
-double OrderlessSum::value() const {
-    return std::ldexp(static_cast<double>(units_), -100);
-}
-
 RowSums::RowSums(std::vector<double> areas, std::vector<double> levels)
     : areas_(std::move(areas)), levels_(std::move(levels)), rows_(areas_.size()) {}
 

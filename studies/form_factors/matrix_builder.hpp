@@ -5,6 +5,7 @@
 #include "studies/form_factors/sampled_row.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -14,8 +15,8 @@ namespace ff::studies::form_factors {
 /// A sum of doubles below 2^20 that does not depend on their order: in fixed point, to 2^-100.
 class OrderlessSum {
   public:
-    void add(double value);
-    [[nodiscard]] double value() const;
+    void add(double value) { units_ += static_cast<Units>(std::ldexp(value, 100)); }
+    [[nodiscard]] double value() const { return std::ldexp(static_cast<double>(units_), -100); }
 
   private:
     __extension__ using Units = __int128;
