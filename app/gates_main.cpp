@@ -9,8 +9,8 @@ namespace {
 
 using namespace ff::app;
 
-void add_commands(ProgramDefinition& program, CheckCommand& check) {
-    add_check_of_files(program, check).action = [&] { return check_files(check); };
+void add_commands(ProgramDefinition& program) {
+    add_check_of_files(program);
     add_help(program);
     add_hidden_commands(program, [](std::string_view) { return std::vector<Completions::Word>(); });
 }
@@ -20,7 +20,5 @@ void add_commands(ProgramDefinition& program, CheckCommand& check) {
 // What goes wrong while an error is told ends in the handler that `guarded` sets.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
-    CheckCommand check;
-    return run_program({argv, static_cast<std::size_t>(argc)}, "Gates on what Monte Carlo codes report.",
-                       [&](ProgramDefinition& program) { add_commands(program, check); });
+    return run_program({argv, static_cast<std::size_t>(argc)}, "Gates on what Monte Carlo codes report.", add_commands);
 }

@@ -1,10 +1,12 @@
 #pragma once
 
-#include "app/command_line/action.hpp"
+#include "app/process/exit_code.hpp"
 
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -51,7 +53,7 @@ struct CommandDefinition {
     std::string summary;
     std::vector<OptionDefinition> options;         ///< and arguments, in the order of --help
     std::vector<std::string>* unparsed = nullptr;  ///< takes everything behind the command, --help too; null: nothing
-    Action action;
+    std::function<ExitCode()> action;
 
     /// @param target  of a type that OptionTarget lists; it lives until the action has ended
     template <class Target>
@@ -67,9 +69,22 @@ struct ProgramDefinition {
     std::string footer;
     std::deque<CommandDefinition> commands;  ///< in the order of --help within each group
 
-    CommandDefinition& command(std::string group, std::string name, std::string command_summary) {
-        return commands.emplace_back(
+    /// A command, and what its options fill in.
+    template <class Options>
+    struct Added {
+        CommandDefinition& definition;
+        Options& options;
+    };
+
+    /// Adds a command that acts on the options, once they are filled in.
+    template <class Options>
+    Added<Options> command(std::string group, std::string name, std::string command_summary,
+                           std::function<ExitCode(const Options&)> act) {
+        const auto options = std::make_shared<Options>();
+        CommandDefinition& definition = commands.emplace_back(
             CommandDefinition{std::move(group), std::move(name), std::move(command_summary), {}, nullptr, {}});
+        definition.action = [options, act = std::move(act)] { return act(*options); };
+        return {definition, *options};
     }
 };
 

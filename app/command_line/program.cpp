@@ -11,8 +11,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <memory>
-
 namespace ff::app {
 namespace {
 
@@ -31,13 +29,12 @@ void add_verbosity(CommandDefinition& command, bool& quiet, const std::string& q
 }
 
 void add_help(ProgramDefinition& program) {
-    CommandDefinition& command = program.command(everyday, "help", "Show this help, or that of a command");
-    const auto name = std::make_shared<std::string>();
-    command.option("COMMAND", *name, "A command");
-    command.action = [&program, name] {
-        fmt::print("{}", help_of(program, *name, width_of(STDOUT_FILENO)));
-        return ExitCode::passed;
-    };
+    const auto [command, name] = program.command<std::string>(
+        everyday, "help", "Show this help, or that of a command", [&program](const std::string& asked) {
+            fmt::print("{}", help_of(program, asked, width_of(STDOUT_FILENO)));
+            return ExitCode::passed;
+        });
+    command.option("COMMAND", name, "A command");
 }
 
 int run_program(std::span<char*> arguments, const std::string& summary,

@@ -1,11 +1,13 @@
 #include "app/commands/commands.hpp"
 
 #include "app/command_line/common_options.hpp"
+#include "app/command_line/outside_options.hpp"
+#include "app/command_line/program.hpp"
 #include "app/commands/context/run_context.hpp"
 #include "app/commands/gates/check_estimates.hpp"
 #include "app/commands/gates/check_session.hpp"
+#include "app/commands/gates/gate_commands.hpp"
 #include "app/commands/gates/look_ledger.hpp"
-#include "app/commands/gates/save_means.hpp"
 #include "app/folders/output_folder.hpp"
 
 #include "core/support/error.hpp"
@@ -39,6 +41,10 @@ using studies::gates::Plan;
 using studies::gates::Spec;
 using Clock = std::chrono::steady_clock;
 
+struct FullCheckCommand : CheckCommand {
+    OutsideOptions outside;
+};
+
 /// What all ways of running gates need.
 struct Check {
     const CheckCommand& command;
@@ -57,8 +63,8 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-Check begin(const CheckCommand& command, const OutsideOptions& outside) {
-    admit_code_of(command.bands, studies::FileKind::bands, outside);
+Check begin(const FullCheckCommand& command) {
+    admit_code_of(command.bands, studies::FileKind::bands, command.outside);
     Check check{command, studies::gates::load_bands(command.bands, studies::gates::read_experiment), std::nullopt, {}};
     if (command.seed) check.spec.seed = checked_seed(*command.seed);
     if (command.fresh_seed) check.spec.seed = fresh_seed();
@@ -200,10 +206,8 @@ ExitCode sweep(Check& check, const CheckSession& session) {
     return any(studies::gates::inconclusive_rate) ? ExitCode::inconclusive : ExitCode::passed;
 }
 
-}  // namespace
-
-ExitCode check(const CheckCommand& command, const OutsideOptions& outside) {
-    Check check = begin(command, outside);
+ExitCode check_gates(const FullCheckCommand& command) {
+    Check check = begin(command);
     expect_estimates(command, check.spec);
     if (!command.save_baseline.empty() && !command.estimates.empty()) {
         save_means(command);
@@ -222,6 +226,22 @@ ExitCode check(const CheckCommand& command, const OutsideOptions& outside) {
     if (!command.save_baseline.empty()) return save_baseline(check, session);
     if (command.seed_sweep > 0) return sweep(check, session);
     return judge(session);
+}
+
+}  // namespace
+
+void add_check(ProgramDefinition& program) {
+    const auto [sub, command] = program.command<FullCheckCommand>(checks, "check", check_summary, check_gates);
+    add_options_of_files(sub, command);
+    sub.option("--seed", command.seed, "Seed of all random numbers (default: the file's)",
+               {.numbers = Numbers::not_negative});
+    sub.option("--fresh-seed", command.fresh_seed, "A new seed, printed", {.excludes = {"--seed"}});
+    sub.option("--seed-sweep", command.seed_sweep, "Check with N seeds; report failure rates against alpha",
+               {.numbers = Numbers::positive, .excludes = {"--json"}});
+    sub.option("--baseline", command.baseline, "Baseline file to compare with",
+               {.type = "FILE", .excludes = {"--save-baseline"}});
+    add_outside_options(sub, command.outside, OutsideCodeFrom::files_too);
+    sub.option("--threads", command.threads, "Threads; verdicts do not depend on them (default: all cores)");
 }
 
 }  // namespace ff::app

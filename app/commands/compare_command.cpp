@@ -1,5 +1,6 @@
 #include "app/commands/commands.hpp"
 
+#include "app/command_line/program.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/template_files.hpp"
 #include "app/terminal/terminal_style.hpp"
@@ -18,6 +19,15 @@
 
 namespace ff::app {
 namespace {
+
+struct CompareCommand {
+    std::filesystem::path first;  ///< folder or store, optionally with a method: "results/a:sobol"
+    std::filesystem::path second;
+    std::filesystem::path out;        ///< empty: nothing is written
+    std::filesystem::path templates;  ///< folder of custom templates; empty: none
+    bool json = false;                ///< instead of text
+    bool quiet = false;
+};
 
 /// The names of two folders, with as many of the folders above them as it takes to tell them apart.
 std::array<std::string, 2> names_of_folders(const std::filesystem::path& first, const std::filesystem::path& second) {
@@ -63,8 +73,6 @@ void expect_two(const CompareCommand& command, const Side& first, const Side& se
                     command.second.string(), command.first.string()));
 }
 
-}  // namespace
-
 ExitCode compare(const CompareCommand& command) {
     const Side one = read_side(command.first);
     const Side other = read_side(command.second);
@@ -99,6 +107,21 @@ ExitCode compare(const CompareCommand& command) {
         fmt::print("\nResults: {}\n", (command.out / "comparison.html").string());
     if (comparison.count(studies::Likeness::different) > 0) return ExitCode::failed;
     return comparison.count(studies::Likeness::untestable) > 0 ? ExitCode::inconclusive : ExitCode::passed;
+}
+
+}  // namespace
+
+void add_compare(ProgramDefinition& program) {
+    const auto [sub, command] = program.command<CompareCommand>(
+        everyday, "compare", "Show two runs side by side: what differs, and how sure that is", compare);
+    sub.option("A", command.first, "Folder of a study, or its results.sqlite; of one method: RESULTS:METHOD",
+               {.type = "RESULTS", .is_required = true});
+    sub.option("B", command.second, "The other", {.type = "RESULTS", .is_required = true});
+    sub.option("--out", command.out, "Folder for comparison.md and comparison.html (default: none is written)",
+               {.type = "DIR"});
+    sub.option("--templates", command.templates, "Folder of custom templates for comparison.html", {.type = "DIR"});
+    sub.option("--json", command.json, "Print JSON");
+    add_verbosity(sub, command.quiet);
 }
 
 }  // namespace ff::app

@@ -1,4 +1,6 @@
 #include "app/commands/commands.hpp"
+
+#include "app/command_line/program.hpp"
 #include "app/commands/form_factors/form_factor_run.hpp"
 #include "app/terminal/messages.hpp"
 
@@ -21,6 +23,13 @@
 
 namespace ff::app {
 namespace {
+
+/// Options of `ffstudy convert`.
+struct ConvertCommand {
+    FormFactorsCommand scene;  ///< the scene and how it is read
+    std::filesystem::path out;
+    std::optional<std::size_t> facets;  ///< polygons around a curved surface; empty: it stays as it is
+};
 
 /// A format that scenes are written in.
 struct SceneFormat {
@@ -62,8 +71,6 @@ void make_words_of_names(Scene& scene) {
             changed == 1 ? "1 name was" : fmt::format("{} names were", changed));
 }
 
-}  // namespace
-
 ExitCode convert(const ConvertCommand& command) {
     const SceneFormat& format = format_of(command.out);
     if (command.facets && (*command.facets < 3 || *command.facets > 10000))
@@ -95,6 +102,22 @@ ExitCode convert(const ConvertCommand& command) {
         fmt::print("{}: {} of {}\n", command.out.string(), reports::counted(scene.faces.size(), "face"),
                    reports::counted(scene.surfaces.size(), "surface"));
     return ExitCode::passed;
+}
+
+}  // namespace
+
+void add_convert(ProgramDefinition& program) {
+    const auto [sub, command] =
+        program.command<ConvertCommand>(everyday, "convert", "Write a scene in another format", convert);
+    sub.option("SCENE", command.scene.scene,
+               fmt::format("A built-in scene, or a file ({})", studies::scene_extensions_in_words()),
+               {.is_required = true});
+    sub.option("OUT", command.out, "File to write: .obj, .vs3 or .toml", {.type = "FILE", .is_required = true});
+    add_options_of_scenes(sub, command.scene);
+    add_options_of_places(sub, command.scene);
+    sub.option("--facets", command.facets,
+               "Polygons around a full turn of a curved surface (default: it stays curved)");
+    add_verbosity(sub, command.scene.quiet, "Print warnings and errors only");
 }
 
 }  // namespace ff::app

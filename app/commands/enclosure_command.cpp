@@ -1,6 +1,7 @@
 #include "app/commands/commands.hpp"
 
 #include "app/command_line/common_options.hpp"
+#include "app/command_line/program.hpp"
 #include "app/commands/run_request.hpp"
 #include "app/folders/output_folder.hpp"
 
@@ -15,6 +16,18 @@
 namespace ff::app {
 namespace {
 
+/// Options of `ffstudy enclosure`.
+struct EnclosureCommand {
+    std::string name;
+    std::optional<std::string> mirror;
+    RadiosityOptions light;
+    std::uint64_t rays = 1000;
+    std::uint64_t trials = 0;
+    std::uint64_t seed = 1;
+    std::filesystem::path out;
+    bool quiet = false;
+};
+
 void write_enclosure_files(const std::filesystem::path& folder, const studies::radiosity::EnclosureRequest& request,
                            const studies::radiosity::EnclosureResults& results, const std::string& text) {
     OutputFolder out(folder, "enclosure");
@@ -27,8 +40,6 @@ void write_enclosure_files(const std::filesystem::path& folder, const studies::r
         out.write(file + ".npy", reports::npy(matrix));
     }
 }
-
-}  // namespace
 
 ExitCode enclosure(const EnclosureCommand& command) {
     studies::radiosity::EnclosureRequest request;
@@ -43,6 +54,26 @@ ExitCode enclosure(const EnclosureCommand& command) {
     if (!command.out.empty()) write_enclosure_files(command.out, request, results, text);
     if (!command.quiet) fmt::print("{}", text);
     return ExitCode::passed;
+}
+
+}  // namespace
+
+void add_enclosure(ProgramDefinition& program) {
+    const auto [sub, command] = program.command<EnclosureCommand>(
+        laboratory, "enclosure", "Light where surfaces see themselves: round rooms, mirrors", enclosure);
+    sub.option("SHAPE", command.name, "cylinder:RxH, cap:RxH, cone:RxH, spheres:RxS, or cube, box:AxBxC",
+               {.is_required = true});
+    sub.option("--mirror", command.mirror, "The face of a box that is a perfect mirror", {.type = "FACE"});
+    sub.option("--reflectance", command.light.reflectance,
+               "Reflectances, each solved for separately (default: 0.1,0.5,0.9,0.99,0.999)", {.type = "LIST"});
+    sub.option("--emission", command.light.emission,
+               "Emitted exitance, one number or one for each surface (default: 1 on the last)", {.type = "LIST"});
+    sub.option("--trials", command.trials, "Trials of rays drawn from the exact factors (default: 0)");
+    sub.option("--rays", command.rays, "Rays from each surface in a trial", {.shows_default = true});
+    sub.option("--seed", command.seed, "Seed of all random numbers", {.shows_default = true});
+    sub.option("--out", command.out, "Folder for enclosure.md and the matrices (default: none is written)",
+               {.type = "DIR"});
+    add_verbosity(sub, command.quiet);
 }
 
 }  // namespace ff::app

@@ -1,5 +1,6 @@
-#include "app/commands/figure_command.hpp"
+#include "app/commands/commands.hpp"
 
+#include "app/command_line/program.hpp"
 #include "app/folders/picture_files.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/template_files.hpp"
@@ -20,6 +21,19 @@
 
 namespace ff::app {
 namespace {
+
+struct FigureCommand {
+    std::filesystem::path results;     ///< folder or store
+    std::string picture;               ///< its name or the beginning of it; empty: list all
+    std::vector<std::string> methods;  ///< empty: all
+    std::string pairs;                 ///< class of pairs; empty: any
+    std::string width = "120mm";
+    std::string height;  ///< empty: the default of the kind of picture
+    double font_size = 8;
+    std::string font;
+    std::filesystem::path out;        ///< .svg, .pdf or .png; empty: the picture's name, .pdf
+    std::filesystem::path templates;  ///< folder of custom templates; empty: none
+};
 
 struct LengthUnit {
     std::string_view name;
@@ -105,8 +119,7 @@ void list_pictures(const std::vector<reports::Picture>& all) {
     fmt::print("{}", reports::text_table(table, style_of_stdout()));
 }
 
-}  // namespace
-
+/// Draws one picture of a study in a size for a paper, or lists the available ones.
 ExitCode figure(const FigureCommand& command) {
     const auto templates = find_templates(command.templates);
     const auto style = style_of(command);
@@ -125,6 +138,25 @@ ExitCode figure(const FigureCommand& command) {
     write_figure(out, picture, templates, style);
     fmt::print("{}\n{}\n{}\n", picture.title, picture.finding, out.string());
     return evaluated.to_the_end ? ExitCode::passed : ExitCode::interrupted;
+}
+
+}  // namespace
+
+void add_figure(ProgramDefinition& program) {
+    const auto [sub, command] =
+        program.command<FigureCommand>(everyday, "figure", "Draw one picture of a study for a paper", figure);
+    sub.option("RESULTS", command.results, "Folder of a study, or its results.sqlite", {.is_required = true});
+    sub.option("PICTURE", command.picture, "Its name, or how that begins (default: list them)");
+    sub.option("--methods", command.methods, "Methods, separated by commas (default: all)",
+               {.type = "METHOD", .delimiter = ','});
+    sub.option("--pairs", command.pairs, "Class of pairs of faces",
+               {.type = "CLASS", .choices = {"parallel", "adjacent", "other"}});
+    sub.option("--width", command.width, "Width, in mm, cm, in or pt", {.type = "LENGTH", .shows_default = true});
+    sub.option("--height", command.height, "Height (default: as the picture has it)", {.type = "LENGTH"});
+    sub.option("--font-size", command.font_size, "Size of letters, in points", {.shows_default = true});
+    sub.option("--font", command.font, "Family of letters (default: that of reports)", {.type = "FONT"});
+    sub.option("--out", command.out, "File: .pdf, .svg or .png (default: PICTURE.pdf)", {.type = "FILE"});
+    sub.option("--templates", command.templates, "Folder of custom templates", {.type = "DIR"});
 }
 
 }  // namespace ff::app

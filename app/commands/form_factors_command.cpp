@@ -1,12 +1,8 @@
-#include "app/commands/commands.hpp"
-#include "app/commands/form_factors/form_factor_prediction.hpp"
-#include "app/commands/form_factors/form_factor_rows.hpp"
 #include "app/commands/form_factors/form_factor_run.hpp"
-#include "app/commands/form_factors/scene_input.hpp"
-#include "app/commands/form_factors/sensor_factors.hpp"
 
 #include "app/command_line/common_options.hpp"
 #include "app/commands/context/run_context.hpp"
+#include "app/commands/form_factors/form_factor_rows.hpp"
 #include "app/folders/output_folder.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/template_files.hpp"

@@ -1,4 +1,6 @@
 #include "app/commands/commands.hpp"
+
+#include "app/command_line/program.hpp"
 #include "app/commands/form_factors/form_factor_run.hpp"
 #include "app/folders/output_folder.hpp"
 #include "app/folders/template_files.hpp"
@@ -26,6 +28,17 @@
 namespace ff::app {
 
 namespace {
+
+/// Options of `ffstudy heat`.
+struct HeatCommand {
+    FormFactorsCommand factors;  ///< their level holds for all factors at once
+    std::filesystem::path materials;
+    double scale = 1;                           ///< metres of a unit of length of the scene
+    std::optional<std::string> tolerance;       ///< largest error of form factors, or of powers, as typed
+    std::string tolerance_of = "factor";        ///< or "flux"
+    std::optional<std::string> flow_tolerance;  ///< largest error of powers, where `tolerance` is that of form factors
+    bool gebhart = false;                       ///< Gebhart factors as well
+};
 
 /// Form factors of an earlier run. @throws UserError also where their intervals hold one by one only
 studies::form_factors::KeptMatrix load_of_all_at_once(const FormFactorsCommand& command) {
@@ -73,8 +86,6 @@ double factor_tolerance_of(const HeatCommand& command) {
                     *command.tolerance));
 }
 
-}  // namespace
-
 ExitCode heat(const HeatCommand& command) {
     if (!(command.scale >= 1e-9 && command.scale <= 1e9))
         throw UserError(fmt::format("--scale {} (1e-9 to 1e9 metres). Write 0.001 for millimetres.", command.scale));
@@ -118,6 +129,41 @@ ExitCode heat(const HeatCommand& command) {
     if (by_signal) return ExitCode::interrupted;
     const bool trusted = studies::form_factors::is_trusted(kept.scene, kept.matrix, kept.request.tolerance);
     return trusted && flows.within(tolerance) ? ExitCode::passed : ExitCode::inconclusive;
+}
+
+}  // namespace
+
+void add_heat(ProgramDefinition& program) {
+    const auto [sub, command] = program.command<HeatCommand>(
+        everyday, "heat", "Heat or light between the faces of a scene, with intervals", heat);
+    auto& factors = command.factors;
+    factors.whole_matrix = true;
+    sub.option("--load", factors.load, "Instead of SCENE: a folder that 'form_factors --simultaneous' has written",
+               {.type = "DIR"});
+    sub.option("SCENE", factors.scene,
+               fmt::format("A built-in scene, or a file ({})", studies::scene_extensions_in_words()));
+    add_options_of_scenes(sub, factors);
+    sub.option("--materials", command.materials, "Materials file (.toml): emissivities and temperatures or fluxes",
+               {.type = "FILE", .is_required = true});
+    sub.option("--scale", command.scale, "Metres of a unit of length of the scene", {.shows_default = true});
+    sub.option("--flow-tolerance", command.flow_tolerance,
+               "Of every power: 0.1% of what the sources give off (default), or 40W", {.type = "AMOUNT"});
+    sub.option("--tolerance", command.tolerance,
+               "Largest half width of a form factor (default: 1e-4), or of a power (default: 0.1%)",
+               {.type = "AMOUNT"});
+    sub.option("--tolerance-of", command.tolerance_of,
+               "What --tolerance is of: factor, or flux, which samples where powers depend on it",
+               {.type = "WHAT", .choices = {"factor", "flux"}, .shows_default = true});
+    sub.option("--level", factors.request.level, "Level of all intervals at once", {.shows_default = true});
+    sub.option("--seed", factors.seed, "Seed of all random numbers", {.shows_default = true});
+    sub.option("--threads", factors.threads, "Threads; results do not depend on them (default: all cores)");
+    sub.option("--max-time", factors.max_time, "Time limit: 90 (seconds), 15m, 2.5h, 1d; stops gracefully",
+               {.type = "TIME"});
+    sub.option("--max-samples", factors.request.max_samples, "Rays and points in all", {.shows_default = true});
+    sub.option("--out", factors.out, "Folder for heat.csv (default: none is written)", {.type = "DIR"});
+    sub.option("--gebhart", command.gebhart, "Also Gebhart factors and script-F, in gebhart.csv", {.needs = {"--out"}});
+    settle_by_load(sub, {"--materials", "--scale", "--flow-tolerance", "--out", "--gebhart"});
+    add_verbosity(sub, factors.quiet, "Print errors and warnings only");
 }
 
 }  // namespace ff::app

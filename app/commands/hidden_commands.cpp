@@ -11,34 +11,33 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace ff::app {
 namespace {
 
+using Words = std::vector<std::string>;
+
 void add_complete(ProgramDefinition& program, const NamesOfType& names) {
-    CommandDefinition& command =
-        program.command(hidden, "complete", "Say what may stand in place of the last word of a command line");
-    const auto words = std::make_shared<std::vector<std::string>>();
-    command.unparsed = words.get();
-    command.action = [&program, words, names] {
-        fmt::print("{}", in_lines(complete(model_of(program), *words, names)));
-        return ExitCode::passed;
-    };
+    const auto [command, words] =
+        program.command<Words>(hidden, "complete", "Say what may stand in place of the last word of a command line",
+                               [&program, names](const Words& given) {
+                                   fmt::print("{}", in_lines(complete(model_of(program), given, names)));
+                                   return ExitCode::passed;
+                               });
+    command.unparsed = &words;
 }
 
 void add_man_pages(ProgramDefinition& program) {
-    CommandDefinition& command = program.command(hidden, "man_pages", "Write the man pages into a folder");
-    const auto folder = std::make_shared<std::filesystem::path>();
-    command.option("DIR", *folder, "", {.is_required = true});
-    command.action = [&program, folder] {
-        std::filesystem::create_directories(*folder);
-        for (const ManPage& page : man_pages(model_of(program), std::string(build_info::version)))
-            reports::write_file(*folder / page.file, page.text);
-        return ExitCode::passed;
-    };
+    const auto [command, folder] = program.command<std::filesystem::path>(
+        hidden, "man_pages", "Write the man pages into a folder", [&program](const std::filesystem::path& place) {
+            std::filesystem::create_directories(place);
+            for (const ManPage& page : man_pages(model_of(program), std::string(build_info::version)))
+                reports::write_file(place / page.file, page.text);
+            return ExitCode::passed;
+        });
+    command.option("DIR", folder, "", {.is_required = true});
 }
 
 }  // namespace

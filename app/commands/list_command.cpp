@@ -1,6 +1,8 @@
 #include "app/commands/commands.hpp"
 
 #include "app/command_line/listings.hpp"
+#include "app/command_line/outside_options.hpp"
+#include "app/command_line/program.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/study_files.hpp"
 #include "app/terminal/messages.hpp"
@@ -22,7 +24,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -31,6 +32,13 @@
 
 namespace ff::app {
 namespace {
+
+/// Options of `ffstudy list` and `ffstudy explain`.
+struct ListCommand {
+    std::string name;  ///< kind, or what to explain; empty: an overview
+    OutsideOptions outside;
+    bool json = false;
+};
 
 /// What `explain` says of one thing of that name.
 struct Explanation {
@@ -176,8 +184,6 @@ void print_kinds_as_json() {
     fmt::print("{}\n", kinds.dump(2));
 }
 
-}  // namespace
-
 ExitCode list(const ListCommand& command) {
     load_plugins(command.outside);
     if (command.name.empty()) {
@@ -223,6 +229,24 @@ ExitCode explain(const ListCommand& command) {
     if (!scene || scene->empty_box) return ExitCode::passed;
     for (const std::string& doubt : studies::doubts_about(*scene)) say("warning: {}\n", doubt);
     return ExitCode::passed;
+}
+
+}  // namespace
+
+void add_list(ProgramDefinition& program) {
+    const auto [sub, command] =
+        program.command<ListCommand>(everyday, "list", "List samplers, estimators, scenes, studies and so on", list);
+    sub.option("KIND", command.name, listed_kinds_in_words());
+    sub.option("--json", command.json, "Print JSON");
+    add_outside_options(sub, command.outside, OutsideCodeFrom::plugins);
+}
+
+void add_explain(ProgramDefinition& program) {
+    const auto [sub, command] =
+        program.command<ListCommand>(everyday, "explain", "Say what something is, its source, its limits", explain);
+    sub.option("NAME", command.name, "A name that 'list' shows, or a scene file");
+    sub.option("--json", command.json, "Print JSON");
+    add_outside_options(sub, command.outside, OutsideCodeFrom::plugins);
 }
 
 }  // namespace ff::app

@@ -1,4 +1,6 @@
 #include "app/commands/commands.hpp"
+
+#include "app/command_line/program.hpp"
 #include "app/commands/form_factors/form_factor_rows.hpp"
 #include "app/commands/form_factors/form_factor_run.hpp"
 
@@ -43,8 +45,6 @@ std::string units_in_words(const std::vector<std::size_t>& units, std::size_t al
                        units.size() > shown ? ", ..." : "");
 }
 
-}  // namespace
-
 ExitCode merge(const MergeCommand& command) {
     if (rows_of(command.sources.front())) return merge_form_factors(command);
     end_on_signals(
@@ -73,6 +73,16 @@ ExitCode merge(const MergeCommand& command) {
     say("{}. Merge again with the shards that hold them, or run the study with --out {}.\n",
         units_in_words(outcome.missing, plan.units.size(), "are missing"), command.out.string());
     return ExitCode::inconclusive;
+}
+
+}  // namespace
+
+void add_merge(ProgramDefinition& program) {
+    const auto [sub, command] =
+        program.command<MergeCommand>(laboratory, "merge", "Bring the results of shards together", merge);
+    sub.option("RESULTS", command.sources, "Folders of the shards, or their results.sqlite", {.is_required = true});
+    sub.option("--out", command.out, "Folder for the merged results", {.type = "DIR", .is_required = true});
+    add_verbosity(sub, command.quiet);
 }
 
 }  // namespace ff::app

@@ -1,4 +1,7 @@
-#include "app/commands/point_commands.hpp"
+#include "app/commands/commands.hpp"
+
+#include "app/command_line/outside_options.hpp"
+#include "app/command_line/program.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/files/output_file.hpp"
@@ -10,11 +13,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 namespace ff::app {
 namespace {
+
+struct PointsCommand {
+    std::string sampler;
+    std::uint64_t points = 1024;
+    std::size_t dimension = 4;
+    std::uint64_t seed = 1;
+    std::uint32_t trial = 0;
+    OutsideOptions outside;
+    std::filesystem::path out;  ///< empty: print properties of the set
+};
+
+struct CheckSamplerCommand {
+    std::string sampler;
+    std::optional<std::uint64_t> points;
+    std::optional<std::size_t> dimension;
+    std::optional<std::uint64_t> trials;
+    std::uint64_t seed = 1;
+    std::vector<std::string> promises;  ///< structure that every set has, each as "net:2"
+    OutsideOptions outside;
+};
 
 const samplers::CatalogueEntry& sampler_of(const std::string& name, const OutsideOptions& outside) {
     load_plugins(outside);
@@ -57,8 +79,7 @@ std::string_view word(studies::SamplerVerdict verdict) {
     return "inconclusive";
 }
 
-}  // namespace
-
+/// Writes a point set, or prints its evenness.
 ExitCode points(const PointsCommand& command) {
     const auto& sampler = sampler_of(command.sampler, command.outside);
     if (command.out.empty()) {
@@ -71,6 +92,8 @@ ExitCode points(const PointsCommand& command) {
     return ExitCode::passed;
 }
 
+/// Failed where a sampler breaks the contract or a promise, inconclusive where trials are too few, or where its points
+/// are nearly a structure.
 ExitCode check_sampler(const CheckSamplerCommand& command) {
     const auto& sampler = sampler_of(command.sampler, command.outside);
     studies::SamplerCheckRequest request;
@@ -101,6 +124,34 @@ ExitCode check_sampler(const CheckSamplerCommand& command) {
     }
     for (const std::string& what : found.not_asked) fmt::print("not asked     {}\n", what);
     return failed ? ExitCode::failed : undecided ? ExitCode::inconclusive : ExitCode::passed;
+}
+
+}  // namespace
+
+void add_points(ProgramDefinition& program) {
+    const auto [sub, command] = program.command<PointsCommand>(
+        laboratory, "points", "Write a point set, or say how evenly it is spread", points);
+    sub.option("SAMPLER", command.sampler, "A sampler, file:PATH or command:PROGRAM", {.is_required = true});
+    sub.option("--n", command.points, "Points", {.shows_default = true});
+    sub.option("--d", command.dimension, "Coordinates of a point", {.shows_default = true});
+    sub.option("--seed", command.seed, "Seed of all random numbers", {.shows_default = true});
+    sub.option("--trial", command.trial, "Which of the trials, from 0", {.shows_default = true});
+    add_outside_options(sub, command.outside, OutsideCodeFrom::command_line);
+    sub.option("--out", command.out, "File: .npy, .csv, .dat or .svg (default: none is written)", {.type = "FILE"});
+}
+
+void add_check_sampler(ProgramDefinition& program) {
+    const auto [sub, command] = program.command<CheckSamplerCommand>(
+        checks, "check-sampler", "Check what any sampler has to keep: pass, fail, inconclusive", check_sampler);
+    sub.option("SAMPLER", command.sampler, "A sampler, file:PATH#RANDOMISE or command:PROGRAM", {.is_required = true});
+    sub.option("--n", command.points, "Points (default: about 256, or those of the largest file)");
+    sub.option("--d", command.dimension, "Coordinates of a point (default: all, at most 4)");
+    sub.option("--trials", command.trials, "Trials (default: about a second's)", {.numbers = Numbers::positive});
+    sub.option("--seed", command.seed, "Seed of all random numbers", {.shows_default = true});
+    sub.option("--promises", command.promises,
+               "What every set is, several after commas: latin, net:T, stratified, lattice (default: it is looked for)",
+               {.type = "STRUCTURE", .delimiter = ','});
+    add_outside_options(sub, command.outside, OutsideCodeFrom::command_line);
 }
 
 }  // namespace ff::app

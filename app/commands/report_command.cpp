@@ -1,5 +1,7 @@
 #include "app/commands/commands.hpp"
 
+#include "app/command_line/listings.hpp"
+#include "app/command_line/program.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/template_files.hpp"
 #include "app/terminal/messages.hpp"
@@ -15,6 +17,16 @@
 #include <algorithm>
 
 namespace ff::app {
+namespace {
+
+struct ReportCommand {
+    std::filesystem::path results;  ///< folder or store
+    std::filesystem::path out;      ///< empty: the folder of the store
+    std::vector<std::string> formats;
+    std::vector<std::string> pictures;  ///< pictures to draw as files: names or their beginnings; empty: all
+    std::filesystem::path templates;    ///< folder of custom templates; empty: none
+    bool quiet = false;
+};
 
 ExitCode report(const ReportCommand& command) {
     const auto templates = find_templates(command.templates);
@@ -42,6 +54,23 @@ ExitCode report(const ReportCommand& command) {
     if (!command.quiet)
         fmt::print("{}\nResults: {}\n", reports::terminal_summary(results, style_of_stdout()), out.string());
     return to_the_end ? ExitCode::passed : ExitCode::interrupted;
+}
+
+}  // namespace
+
+void add_report(ProgramDefinition& program) {
+    const auto [sub, command] =
+        program.command<ReportCommand>(everyday, "report", "Write the reports of a finished study again", report);
+    sub.option("RESULTS", command.results, "Folder of a study, or its results.sqlite", {.is_required = true});
+    sub.option("--format", command.formats,
+               fmt::format("{} (default: {})", names_in_words("formats"), fmt::join(usual_formats(), ", ")),
+               {.type = "FORMAT", .delimiter = ','});
+    sub.option("--pictures", command.pictures,
+               "Pictures for svg and pdf: names as 'ffstudy figure' lists them, or how they begin (default: all)",
+               {.type = "PICTURE", .delimiter = ','});
+    sub.option("--out", command.out, "Folder for the files (default: where the results lie)", {.type = "DIR"});
+    sub.option("--templates", command.templates, "Folder of custom templates for report.html", {.type = "DIR"});
+    add_verbosity(sub, command.quiet);
 }
 
 }  // namespace ff::app

@@ -1,7 +1,6 @@
-#include "app/commands/commands.hpp"
+#include "app/commands/run_request.hpp"
 
 #include "app/commands/context/run_context.hpp"
-#include "app/commands/run_request.hpp"
 #include "app/folders/grown_study.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/template_files.hpp"

@@ -1,4 +1,4 @@
-#include "app/commands/form_factors/form_factor_prediction.hpp"
+#include "app/commands/form_factors/form_factor_run.hpp"
 
 #include "app/process/limits.hpp"
 #include "app/process/signals.hpp"

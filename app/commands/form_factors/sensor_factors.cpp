@@ -1,6 +1,5 @@
-#include "app/commands/form_factors/sensor_factors.hpp"
-
 #include "app/commands/form_factors/form_factor_run.hpp"
+
 #include "app/folders/output_folder.hpp"
 #include "app/terminal/messages.hpp"
 #include "app/terminal/terminal_style.hpp"

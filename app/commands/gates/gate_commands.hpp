@@ -2,15 +2,19 @@
 
 #include "app/command_line/check_options.hpp"
 #include "app/command_line/command_definition.hpp"
-#include "app/process/exit_code.hpp"
 
 namespace ff::app {
 
-/// `ffstudy check` with the options for gates on what other programs report, which the smaller program has too; the
-/// caller sets its action.
-CommandDefinition& add_check_of_files(ProgramDefinition& program, CheckCommand& command);
+inline constexpr const char* check_summary = "Check the gates of a bands file: pass, fail or inconclusive";
 
-/// Judges a bands file with gates on files only.
-ExitCode check_files(const CheckCommand& command);
+/// Options of `ffstudy check` for gates on what other programs report.
+void add_options_of_files(CommandDefinition& sub, CheckCommand& command);
+
+/// `ffstudy check` of the smaller program, which has these gates only.
+void add_check_of_files(ProgramDefinition& program);
+
+/// Writes the contents of --estimates as a file of means for --against (--save-baseline).
+/// @throws UserError, IoError
+void save_means(const CheckCommand& command);
 
 }  // namespace ff::app

@@ -1,8 +1,8 @@
-#include "app/commands/study_definitions.hpp"
+#include "app/commands/commands.hpp"
 
 #include "app/command_line/listings.hpp"
 #include "app/command_line/program.hpp"
-#include "app/commands/commands.hpp"
+#include "app/commands/run_request.hpp"
 #include "app/folders/study_files.hpp"
 
 namespace ff::app {
@@ -30,28 +30,25 @@ void add_run_options(CommandDefinition& sub, RunCommand& command) {
 
 }  // namespace
 
-void add_run(ProgramDefinition& program, RunCommand& command) {
-    CommandDefinition& sub = program.command(everyday, "run", "Run or resume a study");
+void add_run(ProgramDefinition& program) {
+    const auto [sub, command] = program.command<RunCommand>(everyday, "run", "Run or resume a study", run);
     sub.option("STUDY", command.study, "Study file (.toml), built-in name, or folder of a study to resume",
                {.is_required = true});
     add_run_options(sub, command);
-    sub.action = [&] { return run(command); };
 }
 
-void add_built_in_studies(ProgramDefinition& program, RunCommand& command) {
+void add_built_in_studies(ProgramDefinition& program) {
     for (const BuiltInStudy& study : built_in_studies()) {
-        CommandDefinition& alias = program.command(built_in, study.name, study.title);
-        add_run_options(alias, command);
-        alias.action = [&command, name = study.name] {
-            command.study = name;
-            return run(command);
-        };
+        const auto [sub, command] = program.command<RunCommand>(built_in, study.name, study.title, run);
+        command.study = study.name;
+        add_run_options(sub, command);
     }
 }
 
-void add_convergence(ProgramDefinition& program, studies::ConvergenceRequest& request, RunCommand& command) {
-    CommandDefinition& sub =
-        program.command(laboratory, "convergence", "Run samplers on a ladder of sizes and fit how fast they converge");
+void add_convergence(ProgramDefinition& program) {
+    const auto [sub, command] = program.command<RunCommand>(
+        laboratory, "convergence", "Run samplers on a ladder of sizes and fit how fast they converge", run);
+    studies::ConvergenceRequest& request = command.convergence.emplace();
     sub.option("--sampler", request.samplers, "Samplers, separated by commas",
                {.type = "SAMPLER", .delimiter = ',', .is_required = true});
     sub.option("--estimator", request.estimator, "Estimator: " + names_in_words("estimators"),
@@ -68,15 +65,12 @@ void add_convergence(ProgramDefinition& program, studies::ConvergenceRequest& re
     sub.option("--map", request.map, "How points are laid on patches: " + names_in_words("maps"), {.type = "MAP"});
     sub.option("--save-study", command.study_file, "Write the study file, to run or change it later", {.type = "FILE"});
     add_run_options(sub, command);
-    sub.action = [&] {
-        command.convergence = request;
-        return run(command);
-    };
 }
 
-void add_radiosity(ProgramDefinition& program, RadiosityOptions& options, RunCommand& command) {
-    CommandDefinition& sub =
-        program.command(laboratory, "radiosity", "Run a study and send light through its form factors");
+void add_radiosity(ProgramDefinition& program) {
+    const auto [sub, command] = program.command<RunCommand>(laboratory, "radiosity",
+                                                            "Run a study and send light through its form factors", run);
+    RadiosityOptions& options = command.radiosity.emplace();
     sub.option("STUDY", command.study, "Study file (.toml), built-in name, or folder of a study to resume",
                {.is_required = true});
     sub.option("--reflectance", options.reflectance,
@@ -88,10 +82,6 @@ void add_radiosity(ProgramDefinition& program, RadiosityOptions& options, RunCom
     sub.option("--patch-trials", options.patch_trials,
                "Trials that are solved between patches too (default: the study's, or 0)");
     add_run_options(sub, command);
-    sub.action = [&] {
-        command.radiosity = options;
-        return run(command);
-    };
 }
 
 }  // namespace ff::app

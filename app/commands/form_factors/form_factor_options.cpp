@@ -1,4 +1,4 @@
-#include "app/commands/form_factors/scene_input.hpp"
+#include "app/commands/form_factors/form_factor_options.hpp"
 
 #include "core/support/error.hpp"
 #include "core/visibility/mirrors.hpp"
@@ -7,10 +7,34 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
 namespace ff::app {
+
+void add_options_of_scenes(CommandDefinition& sub, FormFactorsCommand& command) {
+    sub.option("--faces", command.faces,
+               "What a face of an OBJ file or a mesh is: group, object, material or polygon (default: groups, or "
+               "else materials)",
+               {.type = "FACES", .choices = {studies::obj_faces.begin(), studies::obj_faces.end()}});
+    sub.option("--closed", command.closed, "Treat an OBJ file or a mesh as closed: every ray hits something");
+    sub.option("--zone", command.zone, "Zone or space of an EnergyPlus file (default: its only zone)",
+               {.type = "NAME"});
+}
+
+void add_options_of_places(CommandDefinition& sub, FormFactorsCommand& command) {
+    sub.option("--scale", command.scale, "Multiply the lengths of an OBJ file or a mesh: 0.001 for millimetres");
+    sub.option("--up", command.up, "The axis of an OBJ file or a mesh that points up; it becomes z",
+               {.type = "AXIS", .choices = {studies::obj_axes.begin(), studies::obj_axes.end()}});
+}
+
+void settle_by_load(CommandDefinition& sub, std::initializer_list<std::string_view> others) {
+    for (OptionDefinition& option : sub.options) {
+        if (option.names != "--load" && std::find(others.begin(), others.end(), option.names) == others.end())
+            option.rules.excludes.emplace_back("--load");
+    }
+}
 
 std::vector<std::string> said_of_mesh(const FormFactorsCommand& command) {
     std::vector<std::string> said;

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "app/command_line/command_definition.hpp"
+
+#include "core/geometry/scene.hpp"
+#include "studies/form_factors/request.hpp"
+#include "studies/scene_files/scene_source.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ff::app {
+
+/// Options of `ffstudy form_factors`.
+struct FormFactorsCommand {
+    std::string scene;           ///< built-in name, or a file; empty: load a matrix
+    std::filesystem::path load;  ///< folder or store of an earlier run; empty: none
+    std::string faces;    ///< what a face of an OBJ file or a mesh is: "group", "object", "material" or "polygon"
+    std::string zone;     ///< of an EnergyPlus file, or a space
+    bool closed = false;  ///< treat an OBJ file or a mesh as closed
+    std::optional<double> scale;             ///< what lengths of an OBJ file or a mesh are multiplied by
+    std::string up;                          ///< its axis that points up: "x", "y" or "z"; empty: not said
+    studies::form_factors::Request request;  ///< except seed, threads and the meaning of level
+    std::uint64_t seed = 1;
+    std::optional<unsigned> threads;
+    std::optional<std::string> max_time;
+    std::optional<std::string> max_memory;
+    std::optional<std::string> shard;
+    bool dry_run = false;
+    bool whole_matrix = false;
+    std::filesystem::path out;         ///< empty: nothing is written
+    std::string from;                  ///< points, "point:x,y,z,nx,ny,nz" or a file, to whose factors all is reduced
+    bool text = false;                 ///< also text files of a large matrix
+    std::vector<std::string> formats;  ///< formats of other programs, for files in `out`
+    bool quiet = false;
+};
+
+/// What a scene file does not say itself.
+void add_options_of_scenes(CommandDefinition& sub, FormFactorsCommand& command);
+
+/// Where the places of an OBJ file or a mesh are. Heat has a scale of its own, for every scene.
+void add_options_of_places(CommandDefinition& sub, FormFactorsCommand& command);
+
+/// All options so far but --load and these others exclude --load: a loaded matrix has settled them.
+void settle_by_load(CommandDefinition& sub, std::initializer_list<std::string_view> others);
+
+/// What the command line says of how an OBJ file or a mesh is read: options without their dashes, which are comments
+/// that the file could have as well.
+std::vector<std::string> said_of_mesh(const FormFactorsCommand& command);
+
+/// The scene that a command names, with its text. @throws UserError where it names none, or an option does not fit it
+studies::SceneSource read_source(const FormFactorsCommand& command);
+
+/// @throws UserError where faces of it are mirrors
+Scene scene_without_mirrors(const studies::SceneSource& source);
+
+}  // namespace ff::app
