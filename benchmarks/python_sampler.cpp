@@ -1,5 +1,5 @@
 #include "benchmarks/fill_sets.hpp"
-#include "python/module/function_sampler.hpp"
+#include "python/module/module.hpp"
 
 #include "samplers/outside/added.hpp"
 

@@ -182,7 +182,7 @@ class Study:
             raise InputError(f"{place}: {code} (a study that runs other code is run where it is trusted). Call "
                              "run(commands=True).")
         _core.admit(self.text, self.origin, deadline)
-        request = _core.StudyRequest(self.text, self.origin, trials, seed)
+        request = self.text, self.origin, trials, seed
         threads = threads if threads is not None else len(os.sched_getaffinity(0))
         with _names:
             for name, function, options in _functions("samplers", samplers, {"d": 4, "randomised": True}):
@@ -190,10 +190,10 @@ class Study:
             for name, function, options in _functions("estimators", estimators, {"samples": True, "randomised": True}):
                 _core.add_estimator(name, _code_hash(function), function, options["samples"], options["randomised"])
             if out is not None:
-                tables = _core.run_study(request, Path(out), threads, progress)
+                tables = _core.run_study(*request, Path(out), threads, progress)
             else:
                 with tempfile.TemporaryDirectory(prefix="ffstudy") as folder:
-                    tables = _core.run_study(request, Path(folder), threads, progress)
+                    tables = _core.run_study(*request, Path(folder), threads, progress)
         for text in tables.warnings:
             warnings.warn(text, stacklevel=2)
         return Results(tables)

@@ -1,10 +1,9 @@
-#include "python/module/function_estimator.hpp"
+#include "python/module/module.hpp"
 
 #include "core/estimators/added.hpp"
 #include "core/geometry/convex_polygon.hpp"
 #include "core/support/error.hpp"
 #include "python/module/python_lock.hpp"
-#include "python/module/words.hpp"
 #include "samplers/outside/outside_points.hpp"
 #include "studies/scene_files/scene_writer.hpp"
 

@@ -1,8 +1,7 @@
-#include "python/module/function_sampler.hpp"
+#include "python/module/module.hpp"
 
 #include "core/support/error.hpp"
 #include "python/module/python_lock.hpp"
-#include "python/module/words.hpp"
 #include "samplers/outside/added.hpp"
 #include "samplers/outside/outside_points.hpp"
 #include "samplers/point_sets/set_of_rows.hpp"

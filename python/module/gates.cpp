@@ -1,4 +1,4 @@
-#include "python/module/gates.hpp"
+#include "python/module/module.hpp"
 
 #include "app/commands/gates/check_estimates.hpp"
 

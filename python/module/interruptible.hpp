@@ -4,10 +4,7 @@
 
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
-#include <exception>
-#include <mutex>
-#include <thread>
+#include <future>
 
 namespace ff::python {
 
@@ -17,39 +14,20 @@ template <class Work>
 void run_interruptibly(Work work) {
     constexpr std::chrono::milliseconds between_looks{50};
     std::atomic<bool> stop{false};
-    std::mutex mutex;
-    std::condition_variable change;
-    bool done = false;
     bool interrupted = false;
-    std::exception_ptr failure;
     {
         const pybind11::gil_scoped_release released;
-        std::thread worker([&] {
-            try {
-                work(stop);
-            } catch (...) {
-                failure = std::current_exception();
-            }
-            const std::lock_guard lock(mutex);
-            done = true;
-            change.notify_all();
-        });
-        std::unique_lock lock(mutex);
-        while (!change.wait_for(lock, between_looks, [&] { return done; })) {
+        auto done = std::async(std::launch::async, [&] { work(stop); });
+        while (done.wait_for(between_looks) != std::future_status::ready) {
             if (interrupted) continue;
-            lock.unlock();
-            {
-                const pybind11::gil_scoped_acquire held;
-                interrupted = PyErr_CheckSignals() != 0;
-            }
-            if (interrupted) stop = true;
-            lock.lock();
+            const pybind11::gil_scoped_acquire held;
+            interrupted = PyErr_CheckSignals() != 0;
+            stop = interrupted;
         }
-        lock.unlock();
-        worker.join();
+        // Its thread may want the lock until it has ended: it is waited for here.
+        if (!interrupted) done.get();
     }
     if (interrupted) throw pybind11::error_already_set();
-    if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace ff::python

@@ -1,8 +1,6 @@
-#include "python/module/function_estimator.hpp"
-#include "python/module/function_sampler.hpp"
-#include "python/module/gates.hpp"
+#include "python/module/module.hpp"
+
 #include "python/module/interruptible.hpp"
-#include "python/module/study.hpp"
 
 #include "core/exact/known_factors.hpp"
 #include "core/support/error.hpp"

@@ -1,4 +1,4 @@
-#include "python/module/study.hpp"
+#include "python/module/module.hpp"
 
 #include "python/module/interruptible.hpp"
 
@@ -38,14 +38,6 @@ namespace py = pybind11;
 namespace ff::python {
 namespace {
 
-/// What a study file says, and what the caller wants instead.
-struct StudyRequest {
-    std::string text;
-    std::string origin;  ///< the file, for messages and for the folder of other files
-    std::optional<std::uint64_t> trials;
-    std::optional<std::uint64_t> seed;
-};
-
 struct StudyTables {
     std::string summary;  ///< as summary.csv
     std::string slopes;
@@ -57,11 +49,14 @@ struct StudyTables {
     bool complete = false;
 };
 
-studies::StudyPlan plan_of(const StudyRequest& request) {
-    studies::StudySpec spec = studies::parse_study(request.text, request.origin);
-    studies::read_named_files(spec, std::filesystem::path(request.origin).parent_path());
-    if (request.trials) studies::set_trials(spec, *request.trials);
-    if (request.seed) spec.seed = Seed{*request.seed};
+/// What a study file says, and what the caller wants instead.
+/// @param origin  the file, for messages and for the folder of other files
+studies::StudyPlan plan_of(const std::string& text, const std::string& origin,
+                           const std::optional<std::uint64_t>& trials, const std::optional<std::uint64_t>& seed) {
+    studies::StudySpec spec = studies::parse_study(text, origin);
+    studies::read_named_files(spec, std::filesystem::path(origin).parent_path());
+    if (trials) studies::set_trials(spec, *trials);
+    if (seed) spec.seed = Seed{*seed};
     return studies::plan_study(std::move(spec));
 }
 
@@ -96,11 +91,12 @@ void note_context(studies::Store& store, unsigned threads, std::chrono::steady_c
     store.set_context(context);
 }
 
-StudyTables run(const StudyRequest& request, const std::filesystem::path& folder, unsigned threads,
+StudyTables run(const std::string& text, const std::string& origin, const std::optional<std::uint64_t>& trials,
+                const std::optional<std::uint64_t>& seed, const std::filesystem::path& folder, unsigned threads,
                 const std::optional<py::function>& progress) {
     StudyTables tables;
     run_interruptibly([&](const std::atomic<bool>& stop) {
-        const studies::StudyPlan plan = plan_of(request);
+        const studies::StudyPlan plan = plan_of(text, origin, trials, seed);
         std::filesystem::create_directories(folder);
         const app::FolderLock lock(folder);
         studies::Store store = studies::Store::create_or_resume(folder / "results.sqlite", plan);
@@ -142,12 +138,6 @@ void admit(const std::string& text, const std::string& origin, double deadline) 
 }  // namespace
 
 void bind_study(py::module_& module) {
-    py::class_<StudyRequest>(module, "StudyRequest")
-        .def(py::init([](std::string text, std::string origin, std::optional<std::uint64_t> trials,
-                         std::optional<std::uint64_t> seed) {
-                 return StudyRequest{std::move(text), std::move(origin), trials, seed};
-             }),
-             py::arg("text"), py::arg("origin"), py::arg("trials") = py::none(), py::arg("seed") = py::none());
     py::class_<StudyTables>(module, "StudyTables")
         .def_readonly("summary", &StudyTables::summary)
         .def_readonly("slopes", &StudyTables::slopes)
@@ -157,7 +147,8 @@ void bind_study(py::module_& module) {
         .def_readonly("picture", &StudyTables::picture)
         .def_readonly("warnings", &StudyTables::warnings)
         .def_readonly("complete", &StudyTables::complete);
-    module.def("run_study", &run, py::arg("request"), py::arg("folder"), py::arg("threads"), py::arg("progress"));
+    module.def("run_study", &run, py::arg("text"), py::arg("origin"), py::arg("trials"), py::arg("seed"),
+               py::arg("folder"), py::arg("threads"), py::arg("progress"));
     module.def(
         "read_study_file",
         [](const std::filesystem::path& file) { return studies::read_text_file(file, studies::FileKind::study); },

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/support/repeatable.hpp"
+
+#include <pybind11/pybind11.h>
+
+#include <cstddef>
+#include <string>
+
+namespace ff::python {
+
+/// Adds a sampler whose sets a Python function makes: fill(n, d, seed, trial) gives an array (n, d) of numbers in
+/// [0, 1). It is found as `name` until another function takes the name, and as `name`#`hash`.
+/// @param randomised  false where every seed gives the same points
+/// @return the full name
+std::string add_function(const std::string& name, const std::string& hash, pybind11::function fill,
+                         std::size_t most_dimension, bool randomised);
+
+/// Adds an estimator that is a Python function: estimate(scene, samples, seed, trial) gives an array (faces, faces) of
+/// form factors. It is found as `name` until another function takes the name, and as `name`#`hash`.
+/// @param has_sizes  false where it takes no samples  @param randomised  false where every seed gives the same
+void add_estimator(const std::string& name, const std::string& hash, pybind11::function estimate, bool has_sizes,
+                   bool randomised);
+
+/// How messages speak of Python functions whose results do not repeat.
+inline constexpr OutsideWords words_of_functions{"returns", "seed", "give it the option \"randomised\": False"};
+
+/// Adds `judge` and what it returns.
+void bind_gates(pybind11::module_& module);
+
+/// Adds `admit`, `run_study` and what they return.
+void bind_study(pybind11::module_& module);
+
+}  // namespace ff::python
