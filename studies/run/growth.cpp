@@ -34,10 +34,6 @@ std::vector<std::size_t> first_units(const StudyPlan& plan) {
     return first;
 }
 
-std::int64_t as_integer(std::uint64_t number) {
-    return static_cast<std::int64_t>(number);
-}
-
 void copy_whole_units(const Store& target, const std::filesystem::path& file, const std::vector<Range>& ranges,
                       const std::vector<std::size_t>& first_there, const std::vector<std::size_t>& first_here) {
     const Database& database = target.database();
@@ -50,13 +46,9 @@ void copy_whole_units(const Store& target, const std::filesystem::path& file, co
                                              FROM source.observations WHERE cell = ? AND trial >= ? AND trial < ?)");
         for (const Range& range : ranges) {
             if (range.whole == 0) continue;
-            const auto here = as_integer(range.here);
-            const auto there = as_integer(range.there);
-            const auto first = as_integer(range.first);
-            const auto end = as_integer(range.first + range.whole);
-            const auto moved = as_integer(first_here[range.here]) - as_integer(first_there[range.there]);
-            units.bind(0, moved).bind(1, here).bind(2, there).bind(3, first).bind(4, end).run();
-            rows.bind(0, here).bind(1, there).bind(2, first).bind(3, end).run();
+            const auto& [there, here, first, whole, begun] = range;
+            units.with(first_here[here] - first_there[there], here, there, first, first + whole).run();
+            rows.with(here, there, first, first + whole).run();
         }
         add_checksums(database, file, target.plan());
     });
@@ -73,18 +65,17 @@ Observation observation_of(const Statement& row) {
 
 BegunUnit read_begun(const Store& stored, const Range& range) {
     const Database& database = stored.database();
-    const auto there = as_integer(range.there);
-    const auto first = as_integer(range.first + range.whole);
+    const std::uint64_t first = range.first + range.whole;
     BegunUnit begun{range.begun, {}};
     Statement unit(database.handle(),
                    "SELECT patch_hits, patch_hits_squared FROM units WHERE cell = ? AND first_trial = ?");
-    unit.bind(0, there).bind(1, first).step();
+    unit.with(range.there, first).step();
     begun.record.patch_hits = unit.integers(0);
     begun.record.patch_hits_squared = unit.integers(1);
     Statement rows(database.handle(),
                    "SELECT observable, from_face, to_face, trial, value FROM observations "
                    "WHERE cell = ? AND trial >= ? AND trial < ?");
-    rows.bind(0, there).bind(1, first).bind(2, first + as_integer(range.begun));
+    rows.with(range.there, first, first + range.begun);
     while (rows.step()) begun.record.observations.push_back(observation_of(rows));
     return begun;
 }

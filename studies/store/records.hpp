@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -36,5 +38,8 @@ struct UnitRecord {
     double processor_seconds = 0;                   ///< measured by the process that ran it; not stored
     double processor_seconds_squared = 0;           ///< sum over trials of squared seconds
 };
+
+/// The circumstances of a run: host, compiler, dates. Not covered by the promise of repeatability.
+using Context = std::map<std::string, std::string>;
 
 }  // namespace ff::studies

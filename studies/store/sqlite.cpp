@@ -198,7 +198,7 @@ void Database::execute_in_turn(const char* sql) {
 }
 
 void Database::copy_from(const std::filesystem::path& source, const std::function<void()>& copy) const {
-    Statement(handle_, "ATTACH ? AS source").bind(0, std::string_view(sqlite_name(source))).run();
+    Statement(handle_, "ATTACH ? AS source").with(sqlite_name(source)).run();
     // BEGIN IMMEDIATE would also lock the source for writing. The commit would then cover two files, and SQLite leaves
     // the journal of such a commit behind where the program is killed.
     execute("BEGIN");
@@ -208,7 +208,7 @@ void Database::copy_from(const std::filesystem::path& source, const std::functio
 
 bool Database::has_table(std::string_view name) const {
     Statement query(handle_, "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = ?");
-    return query.bind(0, name).step();
+    return query.with(name).step();
 }
 
 std::int64_t Database::changes() const {

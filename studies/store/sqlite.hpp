@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 struct sqlite3;
@@ -27,6 +28,14 @@ class Statement {
     Statement& bind(int parameter,
                     std::span<const std::uint64_t> values);  ///< as a blob of little-endian 64-bit integers
 
+    /// Binds these values to the parameters, from the first one on: flags and whole numbers of any type as integers.
+    template <class... Values>
+    Statement& with(const Values&... values) {
+        int parameter = 0;
+        (bind_as_stored(parameter++, values), ...);
+        return *this;
+    }
+
     /// True where there is a row to read.
     bool step();
     /// Runs a statement without rows and resets it for the next use.
@@ -41,6 +50,15 @@ class Statement {
     [[nodiscard]] std::vector<std::uint64_t> integers(int column) const;
 
   private:
+    template <class Value>
+    void bind_as_stored(int parameter, const Value& value) {
+        if constexpr (std::is_integral_v<Value>)
+            bind(parameter, static_cast<std::int64_t>(value));
+        else if constexpr (std::is_convertible_v<const Value&, std::string_view>)
+            bind(parameter, std::string_view(value));
+        else
+            bind(parameter, value);
+    }
     void check(int status) const;
     sqlite3* database_;
     sqlite3_stmt* statement_ = nullptr;

@@ -2,12 +2,9 @@
 
 #include "core/support/error.hpp"
 #include "studies/spec/study_difference.hpp"
-#include "studies/store/row_digest.hpp"
 #include "studies/store/store_checks.hpp"
 #include "studies/store/store_format.hpp"
-#include "studies/store/stored_context.hpp"
-#include "studies/store/stored_estimators.hpp"
-#include "studies/store/stored_samplers.hpp"
+#include "studies/store/stored_code.hpp"
 
 #include <fmt/format.h>
 
@@ -45,7 +42,7 @@ std::optional<std::string> read_meta(const Database& database, std::string_view 
 }
 
 void write_meta(const Database& database, std::string_view key, std::string_view value) {
-    Statement(database.handle(), "INSERT INTO meta VALUES(?, ?)").bind(0, key).bind(1, value).run();
+    Statement(database.handle(), "INSERT INTO meta VALUES(?, ?)").with(key, value).run();
 }
 
 /// Checksum of the rows that say which study this is.
@@ -74,26 +71,14 @@ void write_cells(const Database& database, const StudyPlan& plan) {
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
         const Cell& cell = plan.cells[i];
         const Method& method = plan.spec.methods[cell.method];
-        insert.bind(0, static_cast<std::int64_t>(i))
-            .bind(1, std::string_view(plan.scenes[cell.scene].name))
-            .bind(2, std::string_view(method.name))
-            .bind(3, std::string_view(method.sampler))
-            .bind(4, method.estimator)
-            .bind(5, static_cast<std::int64_t>(cell.subdivision.per_part()))
-            .bind(6, static_cast<std::int64_t>(cell.samples_per_patch))
-            .bind(7, static_cast<std::int64_t>(cell.trials))
+        insert
+            .with(i, plan.scenes[cell.scene].name, method.name, method.sampler, method.estimator,
+                  cell.subdivision.per_part(), cell.samples_per_patch, cell.trials)
             .run();
     }
 }
 
 constexpr std::string_view of_a_pair = "WHERE cell = ? AND observable = ? AND from_face = ? AND to_face = ?";
-
-void bind_pair(Statement& query, std::size_t cell, std::string_view observable, int from_face, int to_face) {
-    query.bind(0, static_cast<std::int64_t>(cell))
-        .bind(1, observable)
-        .bind(2, std::int64_t{from_face})
-        .bind(3, std::int64_t{to_face});
-}
 
 std::string difference_from(const Database& database, const StudySpec& wanted) {
     const std::string stored = read_meta(database, "study").value_or("");
@@ -111,28 +96,18 @@ void expect_same_study(const Database& database, const std::filesystem::path& fi
                                 file.string(), difference));
 }
 
-void bind_value(Statement& insert, std::int64_t value) {
-    insert.bind(5, value);
-}
-
-/// SQLite has infinities, but takes NaN for NULL.
-void bind_value(Statement& insert, double value) {
-    if (std::isnan(value))
-        insert.bind(5, std::string_view("nan"));
-    else
-        insert.bind(5, value);
-}
-
 /// No row of a unit that was not saved is in the way.
-void insert_observations(const Database& database, std::int64_t cell, const std::vector<Observation>& observations) {
+void insert_observations(const Database& database, std::size_t cell, const std::vector<Observation>& observations) {
     Statement insert(database.handle(), "INSERT OR REPLACE INTO observations VALUES(?, ?, ?, ?, ?, ?)");
     for (const Observation& observation : observations) {
-        insert.bind(0, cell)
-            .bind(1, observation.observable)
-            .bind(2, std::int64_t{observation.from_face})
-            .bind(3, std::int64_t{observation.to_face})
-            .bind(4, static_cast<std::int64_t>(observation.trial));
-        std::visit([&](const auto value) { bind_value(insert, value); }, observation.value);
+        const auto& [observable, from, to, trial, value] = observation;
+        insert.with(cell, observable, from, to, trial);
+        if (const auto* const count = std::get_if<std::int64_t>(&value))
+            insert.bind(5, *count);
+        else if (const double number = std::get<double>(value); !std::isnan(number))
+            insert.bind(5, number);
+        else
+            insert.bind(5, std::string_view("nan"));  // SQLite has infinities, but takes NaN for NULL
         insert.run();
     }
 }
@@ -181,11 +156,9 @@ Checksums look_at(const Database& database, const std::filesystem::path& file) {
 Store::Store(std::unique_ptr<Database> database, StudyPlan plan)
     : database_(std::move(database)), plan_(std::move(plan)) {}
 
-Store Store::create_or_resume(const std::filesystem::path& file, const StudyPlan& plan) {
-    return create_or_resume(file, plan, journal_in(file.parent_path()));
-}
-
-Store Store::create_or_resume(const std::filesystem::path& file, const StudyPlan& plan, Journal journal) {
+Store Store::create_or_resume(const std::filesystem::path& file, const StudyPlan& plan,
+                              std::optional<Journal> wanted_journal) {
+    const Journal journal = wanted_journal ? *wanted_journal : journal_in(file.parent_path());
     expect_no_log_of_another(file);
     auto database = std::make_unique<Database>(file, Database::Mode::create_or_open);
     if (is_empty(*database)) create(*database, plan);
@@ -226,22 +199,16 @@ Store Store::open(const std::filesystem::path& file) {
 
 void Store::commit(const UnitRecord& record) {
     const WorkUnit& unit = plan_.units.at(record.unit);
-    const auto cell = static_cast<std::int64_t>(unit.cell);
     if (database_->has_moved()) {
         throw IoError(
             fmt::format("{}: moved or removed while the study ran. What was saved is in it.", database_->file()));
     }
     database_->execute("BEGIN IMMEDIATE");
     Statement(database_->handle(), "INSERT INTO units VALUES(?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING")
-        .bind(0, static_cast<std::int64_t>(unit.index))
-        .bind(1, cell)
-        .bind(2, static_cast<std::int64_t>(unit.first_trial))
-        .bind(3, static_cast<std::int64_t>(unit.trials))
-        .bind(4, std::span<const std::uint64_t>(record.patch_hits))
-        .bind(5, std::span<const std::uint64_t>(record.patch_hits_squared))
-        .bind(6, checksum(unit, record))
+        .with(unit.index, unit.cell, unit.first_trial, unit.trials, record.patch_hits, record.patch_hits_squared,
+              checksum(unit, record))
         .run();
-    if (database_->changes() > 0) insert_observations(*database_, cell, record.observations);
+    if (database_->changes() > 0) insert_observations(*database_, unit.cell, record.observations);
     database_->execute("COMMIT");
 }
 
@@ -283,7 +250,7 @@ bool Store::is_complete() const {
 std::vector<std::uint64_t> Store::saved_trial_numbers(std::size_t cell) const {
     std::vector<std::uint64_t> numbers;
     Statement query(database_->handle(), "SELECT first_trial, trials FROM units WHERE cell = ? ORDER BY first_trial");
-    query.bind(0, static_cast<std::int64_t>(cell));
+    query.with(cell);
     while (query.step()) {
         const auto first = static_cast<std::uint64_t>(query.integer(0));
         const auto count = static_cast<std::uint64_t>(query.integer(1));
@@ -294,14 +261,14 @@ std::vector<std::uint64_t> Store::saved_trial_numbers(std::size_t cell) const {
 
 std::uint64_t Store::saved_trials(std::size_t cell) const {
     Statement query(database_->handle(), "SELECT coalesce(sum(trials), 0) FROM units WHERE cell = ?");
-    query.bind(0, static_cast<std::int64_t>(cell)).step();
+    query.with(cell).step();
     return static_cast<std::uint64_t>(query.integer(0));
 }
 
 Store::Series Store::series(std::size_t cell, std::string_view observable, int from_face, int to_face) const {
     Statement query(database_->handle(),
                     fmt::format("SELECT trial, value FROM observations {} ORDER BY trial", of_a_pair));
-    bind_pair(query, cell, observable, from_face, to_face);
+    query.with(cell, observable, from_face, to_face);
     Series series;
     while (query.step()) {
         series.trial.push_back(static_cast<std::uint64_t>(query.integer(0)));
@@ -312,13 +279,12 @@ Store::Series Store::series(std::size_t cell, std::string_view observable, int f
 
 bool Store::has(std::size_t cell, std::string_view observable) const {
     Statement query(database_->handle(), "SELECT 1 FROM observations WHERE cell = ? AND observable = ? LIMIT 1");
-    query.bind(0, static_cast<std::int64_t>(cell)).bind(1, observable);
-    return query.step();
+    return query.with(cell, observable).step();
 }
 
 std::int64_t Store::total(std::size_t cell, std::string_view observable, int from_face, int to_face) const {
     Statement query(database_->handle(), fmt::format("SELECT coalesce(sum(value), 0) FROM observations {}", of_a_pair));
-    bind_pair(query, cell, observable, from_face, to_face);
+    query.with(cell, observable, from_face, to_face);
     query.step();
     return query.integer(0);
 }

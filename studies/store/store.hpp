@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,9 +15,6 @@ namespace ff::studies {
 
 /// Version of the tables in a store; docs/results.md describes them.
 inline constexpr int store_schema_version = 2;
-
-/// The circumstances of a run: host, compiler, dates. Not covered by the promise of repeatability.
-using Context = std::map<std::string, std::string>;
 
 /// Adds new values: each different value of a key once, in order, separated by "; ".
 void add_context(Context& all, const Context& more);
@@ -30,10 +26,10 @@ class Store {
     static constexpr std::uint64_t page_cache_bytes = 64ULL << 20;
 
     /// Creates the file for this plan, or opens it to resume.
+    /// @param journal  empty: what suits the file system
     /// @throws UserError where the file belongs to another study, with what differs; IoError
-    static Store create_or_resume(const std::filesystem::path& file, const StudyPlan& plan);
-    /// The same with a journal of the caller's choice; the first one chooses what suits the file system.
-    static Store create_or_resume(const std::filesystem::path& file, const StudyPlan& plan, Journal journal);
+    static Store create_or_resume(const std::filesystem::path& file, const StudyPlan& plan,
+                                  std::optional<Journal> journal = std::nullopt);
     /// Opens an existing file to read. @throws UserError where it is not a store, or a newer one; IoError where it is
     /// damaged or cannot be read
     static Store open(const std::filesystem::path& file);

@@ -1,6 +1,6 @@
 #include "studies/store/store_checks.hpp"
 
-#include "studies/store/row_digest.hpp"
+#include "studies/readers/digest.hpp"
 #include "studies/store/store_format.hpp"
 
 #include <fmt/format.h>
@@ -183,10 +183,7 @@ void add_checksums(const Database& database, const std::filesystem::path& file, 
     rows.read(Checksums::none);
     Statement update(database.handle(), "UPDATE units SET checksum = ? WHERE unit = ? AND checksum IS NULL");
     for (std::size_t unit = 0; unit < rows.units().size(); ++unit) {
-        if (!rows.units()[unit].saved) continue;
-        update.bind(0, static_cast<std::int64_t>(rows.units()[unit].digest))
-            .bind(1, static_cast<std::int64_t>(unit))
-            .run();
+        if (rows.units()[unit].saved) update.with(rows.units()[unit].digest, unit).run();
     }
 }
 

@@ -69,12 +69,17 @@ void expect_no_other_kind(const std::filesystem::path& file, const StoreFormat& 
     expect_kind(format.kind, {start.data(), static_cast<std::size_t>(in.gcount())}, file);
 }
 
+std::string checksum_of_context(const Database& database) {
+    Digest digest;
+    add_rows(digest, database, "SELECT * FROM context WHERE key <> 'checksum' ORDER BY key");
+    return in_hexadecimal(digest);
+}
+
 }  // namespace
 
 std::optional<std::string> stored_value(const Database& database, const StoreFormat& format, std::string_view key) {
     Statement query(database.handle(), fmt::format("SELECT value FROM {} WHERE key = ?", format.keys));
-    query.bind(0, key);
-    return query.step() ? std::optional(query.text(0)) : std::nullopt;
+    return query.with(key).step() ? std::optional(query.text(0)) : std::nullopt;
 }
 
 int expect_readable(const Database& database, const std::filesystem::path& file, const StoreFormat& format) {
@@ -128,6 +133,40 @@ std::unique_ptr<Database> open_store(const std::filesystem::path& file, const St
     expect_readable(*database, file, format);
     expect_intact(*database, file);
     return database;
+}
+
+void add_rows(Digest& digest, const Database& database, std::string_view sql) {
+    Statement rows(database.handle(), sql);
+    while (rows.step()) {
+        for (int column = 0; column < rows.columns(); ++column) {
+            const bool number = rows.is_number(column);
+            digest.add(number ? 1 : 0);
+            if (number)
+                digest.add_number(rows.real(column)).add(static_cast<std::uint64_t>(rows.integer(column)));
+            else
+                digest.add(rows.text(column));
+        }
+    }
+}
+
+void write_context(const Database& database, const Context& context) {
+    Statement(database.handle(), "DELETE FROM context").run();
+    Statement insert(database.handle(), "INSERT INTO context VALUES(?, ?)");
+    for (const auto& [key, value] : context) insert.with(key, value).run();
+    insert.with("checksum", checksum_of_context(database)).run();
+}
+
+Context read_context(const Database& database) {
+    Context context;
+    Statement query(database.handle(), "SELECT key, value FROM context WHERE key <> 'checksum'");
+    while (query.step()) context[query.text(0)] = query.text(1);
+    return context;
+}
+
+void expect_sound_context(const Database& database, const std::filesystem::path& file) {
+    Statement stored(database.handle(), "SELECT value FROM context WHERE key = 'checksum'");
+    if (!stored.step() || stored.text(0) != checksum_of_context(database))
+        report_damage(file, "the context is not as it was saved: its checksum differs");
 }
 
 void report_damage(const std::filesystem::path& file, const std::string& what) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "studies/readers/digest.hpp"
 #include "studies/readers/file_kind.hpp"
+#include "studies/store/records.hpp"
 #include "studies/store/sqlite.hpp"
 
 #include <filesystem>
@@ -39,6 +41,19 @@ void expect_no_log_of_another(const std::filesystem::path& file);
 
 /// Opens a file for reading if all of that holds. @throws IoError also where there is none
 std::unique_ptr<Database> open_store(const std::filesystem::path& file, const StoreFormat& format);
+
+/// Adds all columns of all rows of a query, with their types.
+void add_rows(Digest& digest, const Database& database, std::string_view sql);
+
+// The table `context` of a store, with a checksum of its own: the promise of repeatability does not cover it.
+
+/// Replaces it as a whole; part of the caller's transaction.
+void write_context(const Database& database, const Context& context);
+
+Context read_context(const Database& database);
+
+/// @throws IoError where it has changed since it was saved
+void expect_sound_context(const Database& database, const std::filesystem::path& file);
 
 [[noreturn]] void report_damage(const std::filesystem::path& file, const std::string& what);
 

@@ -5,9 +5,7 @@
 #include "studies/form_factors/repair.hpp"
 #include "studies/form_factors/store/stored_request.hpp"
 #include "studies/scene_files/scene_file.hpp"
-#include "studies/store/row_digest.hpp"
 #include "studies/store/store_format.hpp"
-#include "studies/store/stored_context.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,6 @@
-#include "studies/store/stored_samplers.hpp"
+#include "studies/store/stored_code.hpp"
 
+#include "core/estimators/added.hpp"
 #include "samplers/outside/added.hpp"
 #include "studies/point_files/file_sampler.hpp"
 
@@ -24,6 +25,11 @@ constexpr const char* outside_samplers_table =
     "NULL, base INTEGER NOT NULL, randomised INTEGER NOT NULL, most_dimension INTEGER NOT NULL, nanoseconds REAL NOT "
     "NULL) WITHOUT ROWID";
 
+/// Made only where a study has such estimators.
+constexpr const char* outside_estimators_table =
+    "CREATE TABLE IF NOT EXISTS outside_estimators(estimator TEXT PRIMARY KEY, summary TEXT NOT NULL, details TEXT NOT "
+    "NULL, sizes INTEGER NOT NULL, randomised INTEGER NOT NULL) WITHOUT ROWID";
+
 /// Bytes in words, the last filled up with zeros.
 std::vector<std::uint64_t> in_words(std::string_view bytes) {
     std::vector<std::uint64_t> words((bytes.size() + 7) / 8);
@@ -36,26 +42,15 @@ void write_file(Database& database, const samplers::AddedSampler& added) {
     Statement insert(database.handle(), "INSERT OR IGNORE INTO point_files VALUES(?, ?, ?, ?, ?)");
     std::int64_t part = 0;
     for (const auto& [file, bytes] : added.content()) {
-        const auto words = in_words(bytes);
-        insert.bind(0, added.entry().info.name)
-            .bind(1, part++)
-            .bind(2, std::string_view(file))
-            .bind(3, static_cast<std::int64_t>(bytes.size()))
-            .bind(4, std::span<const std::uint64_t>(words))
-            .run();
+        insert.with(added.entry().info.name, part++, file, bytes.size(), in_words(bytes)).run();
     }
 }
 
 void write_declaration(Database& database, const samplers::SamplerInfo& info) {
     database.execute(outside_samplers_table);
     Statement(database.handle(), "INSERT OR IGNORE INTO outside_samplers VALUES(?, ?, ?, ?, ?, ?, ?)")
-        .bind(0, info.name)
-        .bind(1, info.summary)
-        .bind(2, info.details)
-        .bind(3, std::int64_t{info.sizes == samplers::Sizes::powers ? info.base : 0})
-        .bind(4, std::int64_t{info.randomised})
-        .bind(5, static_cast<std::int64_t>(info.most_dimension))
-        .bind(6, info.nanoseconds)
+        .with(info.name, info.summary, info.details, info.sizes == samplers::Sizes::powers ? info.base : 0,
+              info.randomised, info.most_dimension, info.nanoseconds)
         .run();
 }
 
@@ -76,7 +71,7 @@ void restore_files(const Database& database) {
 void restore_declarations(const Database& database) {
     // The division into units of work depends on the cost of points, which earlier stores do not contain.
     Statement column(database.handle(), "SELECT 1 FROM pragma_table_info('outside_samplers') WHERE name = ?");
-    const bool has_cost = column.bind(0, std::string_view("nanoseconds")).step();
+    const bool has_cost = column.with("nanoseconds").step();
     Statement rows(database.handle(), "SELECT * FROM outside_samplers");
     while (rows.step()) {
         samplers::SamplerInfo traits;
@@ -110,6 +105,28 @@ void write_added_samplers(Database& database, const StudySpec& spec) {
 void restore_added_samplers(const Database& database) {
     if (database.has_table("point_files")) restore_files(database);
     if (database.has_table("outside_samplers")) restore_declarations(database);
+}
+
+void write_added_estimators(Database& database, const StudySpec& spec) {
+    for (const Method& method : spec.methods) {
+        const auto* const added = find_added_estimator(method.estimator);
+        if (added == nullptr) continue;
+        const EstimatorInfo& info = added->entry().info;
+        database.execute(outside_estimators_table);
+        Statement(database.handle(), "INSERT OR IGNORE INTO outside_estimators VALUES(?, ?, ?, ?, ?)")
+            .with(info.name, info.summary, info.details, info.own_points, info.randomised)
+            .run();
+    }
+}
+
+void restore_added_estimators(const Database& database) {
+    if (!database.has_table("outside_estimators")) return;
+    Statement rows(database.handle(), "SELECT estimator, summary, details, sizes, randomised FROM outside_estimators");
+    while (rows.step()) {
+        add(std::make_unique<AddedEstimator>(AddedEstimator::Texts{rows.text(0), rows.text(1), rows.text(2)},
+                                             program_traits(rows.integer(3) != 0, rows.integer(4) != 0), nullptr,
+                                             nullptr));
+    }
 }
 
 }  // namespace ff::studies
