@@ -231,9 +231,11 @@ bool compute_form_factors(const FormFactorsCommand& command, studies::form_facto
     };
     std::optional<TimeLimit> limit(max_time);
     std::optional<MemoryLimit> memory(max_memory);
-    FormFactorDisplay display(kept.request.tolerance);
-    if (!command.quiet && FormFactorDisplay::is_seen()) {
-        kept.request.report = [&](const studies::form_factors::Progress& progress) { display.show(progress); };
+    ProgressDisplay display(command.quiet);
+    if (display.is_bar()) {
+        kept.request.report = [&](const studies::form_factors::Progress& progress) {
+            display.show(progress, kept.request.tolerance);
+        };
     }
     kept.matrix = find(kept.scene, kept.request);
     if (kept.matrix.faces() > kept.scene.faces.size())

@@ -153,7 +153,7 @@ ExitCode run(const RunCommand& command) {
     if (is_verbose()) say("{}", reports::terminal_plan(plan, request.threads, {}));
 
     const auto start = std::chrono::steady_clock::now();
-    ProgressDisplay progress(ProgressDisplay::style(command.quiet));
+    ProgressDisplay progress(command.quiet);
     studies::RunOptions options;
     options.threads = request.threads;
     options.shard = request.shard;

@@ -56,9 +56,9 @@ std::vector<std::filesystem::path> drawings_in(const std::filesystem::path& work
 /// The pictures of a report that are asked for. @return the files, by name
 std::vector<std::filesystem::path> draw_all(const ResultSources& sources, const std::filesystem::path& workshop) {
     const auto pictures = chosen_pictures(sources.results, sources.pictures);
-    CountDisplay progress(ProgressDisplay::style(sources.quiet), "pictures drawn", pictures.size());
+    ProgressDisplay progress(sources.quiet);
     draw(reports::drawing_request(pictures, sources.templates), workshop,
-         [&] { progress.show(drawings_in(workshop).size()); });
+         [&] { progress.show(drawings_in(workshop).size(), pictures.size(), "pictures drawn"); });
     progress.finish();
     return drawings_in(workshop);
 }
@@ -112,12 +112,12 @@ void write_svg(OutputFolder& folder, const ResultSources& sources) {
 void write_pdf(OutputFolder& folder, const ResultSources& sources) {
     const auto workshop = folder.make_workshop();
     const auto drawings = draw_all(sources, workshop);
-    CountDisplay progress(ProgressDisplay::style(sources.quiet), "pictures converted to PDF", drawings.size());
+    ProgressDisplay progress(sources.quiet);
     for (std::size_t i = 0; i < drawings.size(); ++i) {
         const auto file = std::filesystem::path(drawings[i]).replace_extension(".pdf");
         convert(drawings[i], "pdf", file);
         deliver(file, folder);
-        progress.show(i + 1);
+        progress.show(i + 1, drawings.size(), "pictures converted to PDF");
     }
     progress.finish();
 }

@@ -15,11 +15,7 @@ namespace ff::app {
 namespace {
 
 constexpr std::chrono::milliseconds pause_on_terminal{100};
-constexpr std::chrono::seconds pause_elsewhere{10};
-
-std::chrono::milliseconds pause_of(ProgressDisplay::Style style) {
-    return style == ProgressDisplay::Style::bar ? pause_on_terminal : pause_elsewhere;
-}
+constexpr std::chrono::milliseconds pause_elsewhere{10'000};
 
 std::string duration(double seconds) {
     const auto whole = std::lround(seconds);
@@ -41,76 +37,57 @@ void rewrite_line(double share, const std::string& text) {
 
 }  // namespace
 
-ProgressDisplay::Style ProgressDisplay::style(bool quiet) {
-    if (quiet) return Style::silent;
-    return ::isatty(STDERR_FILENO) == 1 ? Style::bar : Style::lines;
+ProgressDisplay::ProgressDisplay(bool quiet)
+    : style_(quiet                          ? Style::silent
+             : ::isatty(STDERR_FILENO) == 1 ? Style::bar
+                                            : Style::lines) {}
+
+bool ProgressDisplay::is_due() {
+    const auto now = Clock::now();
+    if (style_ == Style::silent || now - last_ < (is_bar() ? pause_on_terminal : pause_elsewhere)) return false;
+    last_ = now;
+    return true;
 }
 
-void ProgressDisplay::show(const studies::RunProgress& progress) {
-    if (style_ == Style::silent) return;
-    const auto now = Clock::now();
-    const bool last = progress.units_done == progress.units;
-    if (already_done_ < 0) already_done_ = progress.expected_seconds_done;
-    if (!last && now - last_ < pause_of(style_)) return;
-    last_ = now;
+void ProgressDisplay::show(double share, const std::string& text) {
     shown_ = true;
-
-    const double elapsed = std::chrono::duration<double>(now - start_).count();
-    const double share = progress.expected_seconds_done / progress.expected_seconds;
-    const double done_here = progress.expected_seconds_done - already_done_;
-    const double speed = done_here / std::max(elapsed, 1e-9);
-    const std::string left =
-        speed > 0 ? duration((progress.expected_seconds - progress.expected_seconds_done) / speed) : "?";
-    const double rate = static_cast<double>(progress.evaluations) / std::max(elapsed, 1e-9) / 1e6;
-    const std::string text = fmt::format("{:5.1f} %  {:.0f} M samples/s  {} left", 100 * share, rate, left);
-    if (style_ == Style::bar) {
+    if (is_bar())
         rewrite_line(share, text);
-    } else {
-        say("{}\n", text);
-    }
-}
-
-void CountDisplay::show(std::size_t done) {
-    if (style_ == ProgressDisplay::Style::silent) return;
-    const auto now = Clock::now();
-    if (now - last_ < pause_of(style_)) return;
-    last_ = now;
-    shown_ = true;
-    const std::string text = fmt::format("{} of {} {}", done, all_, done_to_);
-    if (style_ == ProgressDisplay::Style::bar)
-        rewrite_line(static_cast<double>(done) / static_cast<double>(all_), text);
     else
         say("{}\n", text);
 }
 
-void CountDisplay::finish() {
-    if (style_ == ProgressDisplay::Style::bar && shown_) say("\n");
+void ProgressDisplay::show(const studies::RunProgress& progress) {
+    if (already_done_ < 0) already_done_ = progress.expected_seconds_done;
+    const bool last = progress.units_done == progress.units;
+    if (style_ == Style::silent || (!is_due() && !last)) return;
+    const double elapsed = std::max(std::chrono::duration<double>(Clock::now() - start_).count(), 1e-9);
+    const double speed = (progress.expected_seconds_done - already_done_) / elapsed;
+    const std::string left =
+        speed > 0 ? duration((progress.expected_seconds - progress.expected_seconds_done) / speed) : "?";
+    const double share = progress.expected_seconds_done / progress.expected_seconds;
+    show(share, fmt::format("{:5.1f} %  {:.0f} M samples/s  {} left", 100 * share,
+                            static_cast<double>(progress.evaluations) / elapsed / 1e6, left));
 }
 
-bool FormFactorDisplay::is_seen() {
-    return ::isatty(STDERR_FILENO) == 1;
+void ProgressDisplay::show(std::size_t done, std::size_t all, std::string_view done_to) {
+    if (!is_due()) return;
+    show(static_cast<double>(done) / static_cast<double>(all), fmt::format("{} of {} {}", done, all, done_to));
 }
 
-void FormFactorDisplay::show(const studies::form_factors::Progress& progress) {
-    const auto now = Clock::now();
-    if (now - last_ < pause_on_terminal) return;
-    last_ = now;
-    shown_ = true;
+void ProgressDisplay::show(const studies::form_factors::Progress& progress, double tolerance) {
+    if (!is_due() && shown_) return;  // the first at once
     using Stage = studies::form_factors::Progress::Stage;
     const std::string stage = progress.stage == Stage::looking  ? "looking at pairs"
                               : progress.stage == Stage::pilots ? "pilot samples"
                                                                 : fmt::format("round {}", progress.round);
-    rewrite_line(progress.share, fmt::format("{:5.1f} % of {}  {:.1f} M samples  {} of {} pairs within {:g}",
-                                             100 * progress.share, stage, static_cast<double>(progress.samples) / 1e6,
-                                             progress.within, progress.pairs, tolerance_));
+    show(progress.share,
+         fmt::format("{:5.1f} % of {}  {:.1f} M samples  {} of {} pairs within {:g}", 100 * progress.share, stage,
+                     static_cast<double>(progress.samples) / 1e6, progress.within, progress.pairs, tolerance));
 }
 
-void FormFactorDisplay::finish() const {
-    if (shown_) say("\n");
-}
-
-void ProgressDisplay::finish() {
-    if (style_ == Style::bar && shown_) say("\n");
+void ProgressDisplay::finish() const {
+    if (is_bar() && shown_) say("\n");
 }
 
 }  // namespace ff::app
