@@ -1,7 +1,7 @@
 #include "app/command_line/listings.hpp"
 
 #include "app/folders/result_files.hpp"
-#include "app/folders/study_files.hpp"
+#include "app/folders/shipped_files.hpp"
 
 #include "core/configurations/families.hpp"
 #include "core/support/error.hpp"

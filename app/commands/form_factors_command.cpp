@@ -5,7 +5,7 @@
 #include "app/commands/form_factors/form_factor_rows.hpp"
 #include "app/folders/output_folder.hpp"
 #include "app/folders/result_files.hpp"
-#include "app/folders/template_files.hpp"
+#include "app/folders/shipped_files.hpp"
 #include "app/process/limits.hpp"
 #include "app/process/signals.hpp"
 #include "app/terminal/messages.hpp"

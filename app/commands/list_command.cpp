@@ -4,7 +4,7 @@
 #include "app/command_line/outside_options.hpp"
 #include "app/command_line/program.hpp"
 #include "app/folders/result_files.hpp"
-#include "app/folders/study_files.hpp"
+#include "app/folders/shipped_files.hpp"
 #include "app/terminal/messages.hpp"
 
 #include "core/configurations/catalogue.hpp"

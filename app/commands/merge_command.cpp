@@ -5,7 +5,7 @@
 #include "app/commands/form_factors/form_factor_run.hpp"
 
 #include "app/folders/result_files.hpp"
-#include "app/folders/template_files.hpp"
+#include "app/folders/shipped_files.hpp"
 #include "app/process/signals.hpp"
 #include "app/terminal/messages.hpp"
 #include "app/terminal/terminal_style.hpp"

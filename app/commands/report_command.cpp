@@ -3,7 +3,7 @@
 #include "app/command_line/listings.hpp"
 #include "app/command_line/program.hpp"
 #include "app/folders/result_files.hpp"
-#include "app/folders/template_files.hpp"
+#include "app/folders/shipped_files.hpp"
 #include "app/terminal/messages.hpp"
 #include "app/terminal/terminal_style.hpp"
 

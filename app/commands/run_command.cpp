@@ -3,7 +3,7 @@
 #include "app/commands/context/run_context.hpp"
 #include "app/folders/grown_study.hpp"
 #include "app/folders/result_files.hpp"
-#include "app/folders/template_files.hpp"
+#include "app/folders/shipped_files.hpp"
 #include "app/process/limits.hpp"
 #include "app/process/processes.hpp"
 #include "app/process/signals.hpp"

@@ -2,7 +2,7 @@
 
 #include "app/command_line/common_options.hpp"
 #include "app/folders/result_files.hpp"
-#include "app/folders/study_files.hpp"
+#include "app/folders/shipped_files.hpp"
 #include "app/process/limits.hpp"
 
 #include "core/support/error.hpp"

@@ -3,7 +3,7 @@
 #include "app/command_line/listings.hpp"
 #include "app/command_line/program.hpp"
 #include "app/commands/run_request.hpp"
-#include "app/folders/study_files.hpp"
+#include "app/folders/shipped_files.hpp"
 
 namespace ff::app {
 namespace {

@@ -1,6 +1,6 @@
 #include "app/folders/picture_files.hpp"
 
-#include "app/folders/template_files.hpp"
+#include "app/folders/shipped_files.hpp"
 #include "app/process/child_process.hpp"
 #include "app/terminal/progress.hpp"
 

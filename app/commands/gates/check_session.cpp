@@ -2,14 +2,18 @@
 
 #include "app/commands/gates/check_estimates.hpp"
 #include "app/commands/gates/look_ledger.hpp"
-#include "app/folders/check_files.hpp"
 #include "app/process/signals.hpp"
 #include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
+#include "reports/csv/gates_csv.hpp"
+#include "reports/html/gates_html.hpp"
 #include "reports/json/context_json.hpp"
 #include "reports/json/gates_json.hpp"
+#include "reports/json/gates_junit.hpp"
+#include "reports/markdown/gates_markdown.hpp"
 #include "reports/terminal/gates_terminal.hpp"
+#include "studies/verdicts/check_results.hpp"
 #include "studies/verdicts/ledger.hpp"
 
 #include <fmt/format.h>
@@ -34,6 +38,16 @@ ExitCode exit_code(studies::gates::Verdict verdict) {
             break;
     }
     return ExitCode::inconclusive;
+}
+
+/// Each file completely or not at all. @throws IoError
+void write_verdicts(OutputFolder& folder, const studies::gates::CheckResults& check,
+                    const reports::JunitContext& context) {
+    folder.write("verdicts.csv", [&](std::ostream& out) { reports::write_verdicts_csv(out, check); });
+    folder.write("verdicts.json", reports::verdicts_json(check));
+    folder.write("junit.xml", reports::junit_xml(check, context));
+    folder.write("summary.md", reports::gates_markdown(check));
+    folder.write("summary.html", reports::gates_html(check));
 }
 
 ExitCode judge_once(const CheckSession& session) {

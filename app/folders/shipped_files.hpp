@@ -1,12 +1,16 @@
 #pragma once
 
+#include "reports/templates/templates.hpp"
 #include "studies/spec/spec.hpp"
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ff::app {
+
+// Files that come with the program: they lie beside it when installed, else in its source and build tree.
 
 /// A study file that comes with the program.
 struct BuiltInStudy {
@@ -15,14 +19,19 @@ struct BuiltInStudy {
     std::filesystem::path file;
 };
 
-/// Their folder: beside the installed program, or in the source tree when it runs from its build.
-std::filesystem::path studies_folder();
-
 /// Built-in studies, by name.
 std::vector<BuiltInStudy> built_in_studies();
 
 /// The file of a built-in study by name, or a file by path.
 /// @throws UserError with the nearest name where there is neither
 std::filesystem::path find_study(const std::string& name_or_file);
+
+/// The templates that come with the program; those of `own` take precedence.
+/// @param own  the user's folder; empty: none
+/// @throws IoError where a folder cannot be read
+reports::Templates find_templates(const std::filesystem::path& own);
+
+/// A file among the templates of the program; empty where there is none.
+std::filesystem::path find_template_file(std::string_view name);
 
 }  // namespace ff::app

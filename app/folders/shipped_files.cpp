@@ -1,0 +1,81 @@
+#include "app/folders/shipped_files.hpp"
+
+#include "core/support/error.hpp"
+#include "core/support/nearest_name.hpp"
+
+#include "app/build_info.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace ff::app {
+namespace {
+
+/// A folder of the installed program, by its place beside it; empty where the program runs from its build.
+std::filesystem::path installed_folder(std::string_view place) {
+    std::error_code error;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+    if (error) return {};
+    auto folder = program.parent_path() / place;
+    return std::filesystem::is_directory(folder, error) ? folder : std::filesystem::path();
+}
+
+std::filesystem::path studies_folder() {
+    const auto installed = installed_folder(build_info::installed_studies);
+    return installed.empty() ? std::filesystem::path(build_info::source_studies) : installed;
+}
+
+/// Of templates that come with the program.
+std::vector<std::filesystem::path> template_folders() {
+    if (const auto installed = installed_folder(build_info::installed_templates); !installed.empty())
+        return {installed};
+    std::vector<std::filesystem::path> folders{build_info::source_templates};
+    std::error_code error;
+    if (std::filesystem::is_directory(build_info::built_templates, error))
+        folders.emplace_back(build_info::built_templates);
+    return folders;
+}
+
+}  // namespace
+
+std::vector<BuiltInStudy> built_in_studies() {
+    std::vector<BuiltInStudy> list;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(studies_folder(), error)) {
+        if (entry.path().extension() != ".toml") continue;
+        const auto spec = studies::load_study(entry.path());
+        list.push_back({spec.name, spec.title, entry.path()});
+    }
+    std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+    return list;
+}
+
+std::filesystem::path find_study(const std::string& name_or_file) {
+    const auto list = built_in_studies();
+    for (const BuiltInStudy& study : list) {
+        if (study.name == name_or_file) return study.file;
+    }
+    std::filesystem::path file(name_or_file);
+    if (std::filesystem::exists(file) || file.extension() == ".toml") return file;
+    std::vector<std::string_view> names;
+    for (const BuiltInStudy& study : list) names.push_back(study.name);
+    throw UserError(fmt::format("'{}' is neither a study file nor a built-in study. {}See 'ffstudy list studies'.",
+                                name_or_file, did_you_mean(name_or_file, names)));
+}
+
+reports::Templates find_templates(const std::filesystem::path& own) {
+    auto folders = template_folders();
+    if (!own.empty()) folders.push_back(own);
+    return reports::Templates::read(folders);
+}
+
+std::filesystem::path find_template_file(std::string_view name) {
+    for (const auto& folder : template_folders()) {
+        if (std::filesystem::exists(folder / name)) return folder / name;
+    }
+    return {};
+}
+
+}  // namespace ff::app
