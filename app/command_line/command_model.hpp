@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace ff::app {
@@ -12,7 +11,7 @@ namespace ff::app {
 struct OptionModel {
     std::vector<std::string> names;  ///< "-q", "--quiet"; of an argument, "STUDY"
     std::string name;                ///< the one of messages: "--quiet"
-    std::string type;                ///< "SAMPLER" of "--sampler SAMPLER"; empty: that of its name, or none
+    std::string type;                ///< "SAMPLER" of "--sampler SAMPLER"; of an argument without one, its name
     std::string notes;               ///< what --help says behind the names: " DIR Needs: --out"
     std::string usage;               ///< how an argument stands in a synopsis: "[STUDY]"
     std::string description;
@@ -25,7 +24,8 @@ struct OptionModel {
 struct CommandModel {
     std::string name;
     std::string description;
-    std::vector<OptionModel> options;  ///< and arguments, as they are defined
+    std::vector<OptionModel> options;    ///< that begin with dashes
+    std::vector<OptionModel> arguments;  ///< by their places
 };
 
 /// Without what is hidden.
@@ -35,18 +35,10 @@ struct ProgramModel {
     std::vector<CommandModel> commands;
 };
 
-std::vector<std::string> command_names(const ProgramModel& program);
-
-/// nullptr where there is no such command.
-const CommandModel* find_command(const ProgramModel& program, std::string_view name);
-
-/// Options that begin with dashes.
-std::vector<const OptionModel*> options_of(const CommandModel& command);
-
-/// Positional arguments, in order.
-std::vector<const OptionModel*> arguments_of(const CommandModel& command);
-
-/// The type of the value: "SAMPLER" of "--sampler SAMPLER"; for an argument without a type, its name.
-std::string value_type(const OptionModel& option);
+inline std::vector<std::string> command_names(const ProgramModel& program) {
+    std::vector<std::string> names;
+    for (const CommandModel& command : program.commands) names.push_back(command.name);
+    return names;
+}
 
 }  // namespace ff::app

@@ -33,14 +33,14 @@ Completions values(const OptionModel& option, const std::string& before, std::st
     const auto comma = option.delimiter == '\0' ? std::string_view::npos : begun.rfind(option.delimiter);
     const std::string kept = before + std::string(begun.substr(0, comma == std::string_view::npos ? 0 : comma + 1));
     Completions completions;
-    add_values(completions, value_type(option), names);
+    add_values(completions, option.type, names);
     for (auto& word : completions.words) word.text.insert(0, kept);
     return completions;
 }
 
 const OptionModel* find_option(const CommandModel& command, std::string_view name) {
-    for (const OptionModel* option : options_of(command)) {
-        if (std::find(option->names.begin(), option->names.end(), name) != option->names.end()) return option;
+    for (const OptionModel& option : command.options) {
+        if (std::find(option.names.begin(), option.names.end(), name) != option.names.end()) return &option;
     }
     return nullptr;
 }
@@ -51,10 +51,10 @@ bool takes_value(const OptionModel* option) {
 
 Completions options(const CommandModel& command, Words given) {
     Completions completions;
-    for (const OptionModel* option : options_of(command)) {
-        for (const std::string& name : option->names) {
+    for (const OptionModel& option : command.options) {
+        for (const std::string& name : option.names) {
             if (name.starts_with("--") && std::find(given.begin(), given.end(), name) == given.end())
-                completions.words.push_back({name, option->description});
+                completions.words.push_back({name, option.description});
         }
     }
     return completions;
@@ -83,11 +83,10 @@ Completions of_command(const ProgramModel& program, const CommandModel& command,
         return values(*option, std::string(last.substr(0, equals + 1)), last.substr(equals + 1), names);
     }
     if (last.starts_with('-')) return options(command, given);
-    const auto arguments = arguments_of(command);
-    if (arguments.empty()) return options(command, given);
-    const OptionModel& argument = *arguments[std::min(place, arguments.size() - 1)];
-    if (place >= arguments.size() && !argument.takes_many) return options(command, given);
-    if (value_type(argument) == "COMMAND") return commands(program);
+    if (command.arguments.empty()) return options(command, given);
+    const OptionModel& argument = command.arguments[std::min(place, command.arguments.size() - 1)];
+    if (place >= command.arguments.size() && !argument.takes_many) return options(command, given);
+    if (argument.type == "COMMAND") return commands(program);
     return values(argument, "", last, names);
 }
 
@@ -102,7 +101,10 @@ Completions complete(const ProgramModel& program, Words words, const NamesOfType
         std::find_if(given.begin(), given.end(), [](const auto& word) { return !word.starts_with('-'); });
     if (named == given.end()) {
         completions = last.starts_with('-') ? options(program.program, given) : commands(program);
-    } else if (const CommandModel* command = find_command(program, *named)) {
+    } else {
+        const auto command = std::find_if(program.commands.begin(), program.commands.end(),
+                                          [&](const CommandModel& each) { return each.name == *named; });
+        if (command == program.commands.end()) return {};
         completions = of_command(program, *command, given.subspan(static_cast<std::size_t>(named - given.begin()) + 1),
                                  last, names);
     }

@@ -31,19 +31,19 @@ std::string title(std::string name, const std::string& version) {
     return fmt::format(".TH \"{}\" 1 \"\" \"ffstudy {}\" \"User Commands\"\n", plain(name), plain(version));
 }
 
-std::string entries(std::string_view heading, const std::vector<const OptionModel*>& options) {
+std::string entries(std::string_view heading, const std::vector<OptionModel>& options) {
     if (options.empty()) return {};
     std::string text = fmt::format(".SH {}\n", heading);
-    for (const OptionModel* option : options) {
-        text += fmt::format(".TP\n.BR \"{}\" \"{}\"\n{}\n", plain(fmt::format("{}", fmt::join(option->names, ","))),
-                            plain(option->notes), plain(option->description));
+    for (const OptionModel& option : options) {
+        text += fmt::format(".TP\n.BR \"{}\" \"{}\"\n{}\n", plain(fmt::format("{}", fmt::join(option.names, ","))),
+                            plain(option.notes), plain(option.description));
     }
     return text;
 }
 
 std::string synopsis(const CommandModel& command, const std::string& name) {
     std::string text = fmt::format(".SH SYNOPSIS\n.B {}\n[\\fIOPTIONS\\fR]", plain(name));
-    for (const OptionModel* argument : arguments_of(command)) text += fmt::format(" {}", plain(argument->usage));
+    for (const OptionModel& argument : command.arguments) text += fmt::format(" {}", plain(argument.usage));
     return text + '\n';
 }
 
@@ -53,8 +53,8 @@ ManPage page_of_command(const ProgramModel& of, const CommandModel& command, con
     std::string text = title(name, version);
     text += fmt::format(".SH NAME\n{} \\- {}\n", plain(name), plain(command.description));
     text += synopsis(command, fmt::format("{} {}", program, command.name));
-    text += entries("ARGUMENTS", arguments_of(command));
-    text += entries("OPTIONS", options_of(command));
+    text += entries("ARGUMENTS", command.arguments);
+    text += entries("OPTIONS", command.options);
     text += fmt::format(".SH EXIT STATUS\n{}\n.SH SEE ALSO\n.BR {} (1)\n", plain(of.footer), program);
     return {name + ".1", std::move(text)};
 }
@@ -67,7 +67,7 @@ ManPage page_of_program(const ProgramModel& of, const std::string& version) {
     for (const CommandModel& command : of.commands) {
         text += fmt::format(".TP\n.BR {}\\-{} (1)\n{}\n", name, plain(command.name), plain(command.description));
     }
-    text += entries("OPTIONS", options_of(of.program));
+    text += entries("OPTIONS", of.program.options);
     text += fmt::format(".SH EXIT STATUS\n{}\n", plain(of.footer));
     return {name + ".1", std::move(text)};
 }

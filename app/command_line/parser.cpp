@@ -151,20 +151,21 @@ OptionModel model_of(const CLI::Option& option, const CLI::App& command) {
     for (const std::string& name : option.get_lnames()) model.names.push_back("--" + name);
     if (option.get_positional()) model.names.push_back(option.get_name(true));
     model.name = option.get_name();
-    model.type = option.get_type_name();
     model.notes = notes_of(option, command, formatter);
     model.usage = formatter.make_option_usage(&option);
     model.description = option.get_description();
     model.delimiter = option.get_delimiter();
     model.is_argument = option.get_positional();
+    model.type = model.is_argument && option.get_type_name().empty() ? model.name : option.get_type_name();
     model.takes_value = option.get_expected_max() > 0;
     model.takes_many = option.get_expected_max() >= CLI::detail::expected_max_vector_size;
     return model;
 }
 
 CommandModel model_of(const CLI::App& command) {
-    CommandModel model{command.get_name(), command.get_description(), {}};
-    for (const CLI::Option* option : command.get_options()) model.options.push_back(model_of(*option, command));
+    CommandModel model{command.get_name(), command.get_description(), {}, {}};
+    for (const CLI::Option* option : command.get_options())
+        (option->get_positional() ? model.arguments : model.options).push_back(model_of(*option, command));
     return model;
 }
 
@@ -182,21 +183,6 @@ const CLI::App& given_command(const CLI::App& app) {
     return commands.empty() ? app : *commands.front();
 }
 
-UsageFault::Kind kind_of(const CLI::ParseError& error) {
-    switch (static_cast<CLI::ExitCodes>(error.get_exit_code())) {
-        case CLI::ExitCodes::ExtrasError:
-            return UsageFault::Kind::unexpected;
-        case CLI::ExitCodes::ConversionError:
-            return UsageFault::Kind::not_converted;
-        case CLI::ExitCodes::RequiredError:
-            return UsageFault::Kind::missing;
-        case CLI::ExitCodes::ArgumentMismatch:
-            return UsageFault::Kind::number_of_values;
-        default:
-            return UsageFault::Kind::other;
-    }
-}
-
 /// What the library says of options that exclude each other, but of the first two.
 std::string exclusion(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options()) {
@@ -209,12 +195,24 @@ std::string exclusion(const CLI::App& command) {
 }
 
 [[noreturn]] void refuse(const CLI::App& app, const CLI::ParseError& error) {
-    const CLI::App& given = given_command(app);
-    const bool is_exclusion = error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExcludesError);
-    const UsageFault fault{kind_of(error), is_exclusion ? exclusion(given) : error.what(), app.remaining(true)};
+    const CLI::App& command = given_command(app);
     const ProgramModel program = model_of_program(app);
-    if (&given == &app) throw UserError(usage_problem(program, program.program, fault));
-    throw UserError(usage_problem(program, model_of(given), fault));
+    const CommandModel model = model_of(command);
+    const UsageProblems problems{program, &command == &app ? nullptr : &model};
+    switch (static_cast<CLI::ExitCodes>(error.get_exit_code())) {
+        case CLI::ExitCodes::ExtrasError:
+            throw UserError(problems.unexpected(app.remaining(true)));
+        case CLI::ExitCodes::ConversionError:
+            throw UserError(problems.not_converted(error.what()));
+        case CLI::ExitCodes::RequiredError:
+            throw UserError(problems.missing(error.what()));
+        case CLI::ExitCodes::ArgumentMismatch:
+            throw UserError(problems.number_of_values(error.what()));
+        case CLI::ExitCodes::ExcludesError:
+            throw UserError(problems.other(exclusion(command)));
+        default:
+            throw UserError(problems.other(error.what()));
+    }
 }
 
 const CommandDefinition& find_definition(const ProgramDefinition& program, const std::string& name) {

@@ -15,18 +15,6 @@
 namespace ff::app {
 namespace {
 
-/// What was given: one of the commands, or only the program.
-struct Given {
-    const ProgramModel& program;
-    const CommandModel& command;
-
-    [[nodiscard]] bool is_commanded() const { return &command != &program.program; }
-};
-
-std::string where_help_is(const Given& given) {
-    return given.is_commanded() ? fmt::format("See 'ffstudy {} --help'.", given.command.name) : "See 'ffstudy --help'.";
-}
-
 std::vector<std::string> long_names_of_options(const CommandModel& command) {
     std::vector<std::string> names;
     for (const OptionModel& option : command.options) {
@@ -34,12 +22,6 @@ std::vector<std::string> long_names_of_options(const CommandModel& command) {
                      [](const std::string& name) { return name.starts_with("--"); });
     }
     return names;
-}
-
-std::string unknown(std::string_view what, const std::string& argument, const std::vector<std::string>& names,
-                    const Given& given) {
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    return fmt::format("unknown {} '{}'. {}{}", what, argument, did_you_mean(argument, known), where_help_is(given));
 }
 
 /// A file where a command is wanted, with the command that takes it; empty where the word names no file of ours.
@@ -57,18 +39,6 @@ std::string file_as_command(const std::string& word) {
                        studies::command_for(*kind, word));
 }
 
-std::string unexpected(const Given& given, const std::vector<std::string>& rest) {
-    const auto is_option = [](const std::string& argument) { return argument.starts_with('-'); };
-    // Without a command, every option is unknown: the word that should have been one comes first.
-    if (!given.is_commanded() && !is_option(rest.front())) {
-        const std::string told = file_as_command(rest.front());
-        return told.empty() ? unknown("command", rest.front(), command_names(given.program), given) : told;
-    }
-    const auto option = std::find_if(rest.begin(), rest.end(), is_option);
-    if (option != rest.end()) return unknown("option", *option, long_names_of_options(given.command), given);
-    return fmt::format("'{}' is one argument too many. {}", rest.front(), where_help_is(given));
-}
-
 bool counts(const OptionModel& option) {
     return option.type == "UINT";
 }
@@ -79,35 +49,50 @@ std::string no_number(const OptionModel& option, std::string_view value) {
                : fmt::format("{} {} (not a number). Write it like 0.001.", option.name, value);
 }
 
+}  // namespace
+
+std::string UsageProblems::where_help_is() const {
+    return command == nullptr ? "See 'ffstudy --help'." : fmt::format("See 'ffstudy {} --help'.", command->name);
+}
+
+std::string UsageProblems::unknown(std::string_view what, const std::string& word,
+                                   const std::vector<std::string>& names) const {
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    return fmt::format("unknown {} '{}'. {}{}", what, word, did_you_mean(word, known), where_help_is());
+}
+
+std::string UsageProblems::unexpected(const std::vector<std::string>& words) const {
+    const auto is_option = [](const std::string& word) { return word.starts_with('-'); };
+    // Without a command, every option is unknown: the word that should have been one comes first.
+    if (command == nullptr && !is_option(words.front())) {
+        const std::string told = file_as_command(words.front());
+        return told.empty() ? unknown("command", words.front(), command_names(program)) : told;
+    }
+    const auto option = std::find_if(words.begin(), words.end(), is_option);
+    if (option == words.end()) return fmt::format("'{}' is one argument too many. {}", words.front(), where_help_is());
+    return unknown("option", *option, long_names_of_options(command == nullptr ? program.program : *command));
+}
+
 /// The parser's "Could not convert: --trials = 1e3", in our words.
-std::string not_converted(const Given& given, std::string_view message) {
-    for (const OptionModel& option : given.command.options) {
+std::string UsageProblems::not_converted(std::string_view message) const {
+    for (const OptionModel& option : (command == nullptr ? program.program : *command).options) {
         const std::string beginning = fmt::format(": {} = ", option.name);
         const auto found = message.find(beginning);
         if (found != std::string_view::npos) return no_number(option, message.substr(found + beginning.size()));
     }
-    return fmt::format("{}. {}", message, where_help_is(given));
+    return other(message);
 }
 
-}  // namespace
+std::string UsageProblems::missing(std::string_view message) const {
+    return fmt::format("{} is missing. {}", message.substr(0, message.find(" is ")), where_help_is());
+}
 
-std::string usage_problem(const ProgramModel& program, const CommandModel& command, const UsageFault& fault) {
-    const Given given{program, command};
-    const std::string& message = fault.message;
-    switch (fault.kind) {
-        case UsageFault::Kind::unexpected:
-            return unexpected(given, fault.rest);
-        case UsageFault::Kind::not_converted:
-            return not_converted(given, message);
-        case UsageFault::Kind::missing:
-            return fmt::format("{} is missing. {}", message.substr(0, message.find(" is ")), where_help_is(given));
-        case UsageFault::Kind::number_of_values:
-            return fmt::format("{} needs one value. Give it once. {}", message.substr(0, message.find(':')),
-                               where_help_is(given));
-        case UsageFault::Kind::other:
-            break;
-    }
-    return fmt::format("{}. {}", message, where_help_is(given));
+std::string UsageProblems::number_of_values(std::string_view message) const {
+    return fmt::format("{} needs one value. Give it once. {}", message.substr(0, message.find(':')), where_help_is());
+}
+
+std::string UsageProblems::other(std::string_view message) const {
+    return fmt::format("{}. {}", message, where_help_is());
 }
 
 void refuse_unmeant_values(const OptionModel& option, const std::vector<std::string>& values) {

@@ -3,27 +3,29 @@
 #include "app/command_line/command_model.hpp"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ff::app {
 
-/// Why a command line was not parsed.
-struct UsageFault {
-    enum class Kind {
-        unexpected,        ///< a word that nothing takes
-        not_converted,     ///< a value of the wrong type
-        missing,           ///< something that is required
-        number_of_values,  ///< too few or too many of an option
-        other,
-    };
-    Kind kind = Kind::other;
-    std::string message;            ///< the parser's
-    std::vector<std::string> rest;  ///< words that were not taken
-};
-
 /// What is wrong with a command line, in the form of every other message: problem (why). Suggestion.
-/// @param command  that was given; program.program itself where there is none
-std::string usage_problem(const ProgramModel& program, const CommandModel& command, const UsageFault& fault);
+struct UsageProblems {
+    const ProgramModel& program;
+    const CommandModel* command;  ///< that was given; null where there is none
+
+    /// Words that nothing takes.
+    [[nodiscard]] std::string unexpected(const std::vector<std::string>& words) const;
+    // Of what the parser says:
+    [[nodiscard]] std::string not_converted(std::string_view message) const;  ///< a value of the wrong type
+    [[nodiscard]] std::string missing(std::string_view message) const;        ///< something that is required
+    [[nodiscard]] std::string number_of_values(std::string_view message) const;
+    [[nodiscard]] std::string other(std::string_view message) const;
+
+  private:
+    [[nodiscard]] std::string where_help_is() const;
+    [[nodiscard]] std::string unknown(std::string_view what, const std::string& word,
+                                      const std::vector<std::string>& names) const;
+};
 
 /// Rejects values that the parser accepts but nobody means: empty ones, which would silently select the default, and
 /// negative counts, which would wrap around. @throws UserError

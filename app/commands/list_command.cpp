@@ -1,7 +1,7 @@
 #include "app/commands/commands.hpp"
 
+#include "app/command_line/common_options.hpp"
 #include "app/command_line/listings.hpp"
-#include "app/command_line/outside_options.hpp"
 #include "app/command_line/program.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/shipped_files.hpp"

@@ -1,6 +1,6 @@
 #include "app/commands/commands.hpp"
 
-#include "app/command_line/outside_options.hpp"
+#include "app/command_line/common_options.hpp"
 #include "app/command_line/program.hpp"
 
 #include "core/support/error.hpp"

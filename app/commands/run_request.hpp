@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/command_line/outside_options.hpp"
+#include "app/command_line/common_options.hpp"
 #include "app/process/exit_code.hpp"
 #include "app/process/processes.hpp"
 
