@@ -4,7 +4,7 @@
 #include "studies/radiosity/collector.hpp"
 #include "studies/radiosity/cost.hpp"
 #include "studies/radiosity/lighting.hpp"
-#include "studies/run/interruptible_points.hpp"
+#include "studies/run/work.hpp"
 
 #include <algorithm>
 #include <map>

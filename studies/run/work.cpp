@@ -73,14 +73,43 @@ PatchTotals begun_totals(UnitRecord& record, PatchFactors patch_factors) {
     return totals;
 }
 
+/// A trial can take hours, and estimators need not know about stopping.
+class InterruptiblePoints : public PointSource {
+  public:
+    InterruptiblePoints(std::unique_ptr<PointSource> points, const std::atomic<bool>& stop)
+        : points_(std::move(points)), stop_(stop) {}
+
+    [[nodiscard]] std::uint64_t points() const override { return points_->points(); }
+    [[nodiscard]] bool randomised() const override { return points_->randomised(); }
+    [[nodiscard]] bool equal_weights() const override { return points_->equal_weights(); }
+    [[nodiscard]] bool exchangeable() const override { return points_->exchangeable(); }
+    void checkpoint() const override {
+        if (stop_.load(std::memory_order_relaxed)) throw Interrupted{};
+    }
+    void fill(const Stream& stream, PointIndex first, PointBlock& block) const override {
+        checkpoint();
+        points_->fill(stream, first, block);
+    }
+    void fill(const Stream& stream, PointIndex first, WeightedBlock& block) const override {
+        checkpoint();
+        points_->fill(stream, first, block);
+    }
+
+  private:
+    std::unique_ptr<PointSource> points_;
+    const std::atomic<bool>& stop_;
+};
+
 }  // namespace
 
-std::unique_ptr<PointSource> make_points(const Method& method, const Cell& cell) {
+std::unique_ptr<PointSource> make_points(const Method& method, const Cell& cell, const std::atomic<bool>* stop) {
     if (method.sampler.empty()) return nullptr;
     const Nodes nodes = method.nodes.value_or(Nodes{});
     const std::uint64_t points = points_per_sequence(method, cell.subdivision, cell.samples_per_patch);
-    return samplers::find(method.sampler)
-        .make({points, estimator_info(method).dimension, nodes.source, nodes.target, cell.key});
+    auto made = samplers::find(method.sampler)
+                    .make({points, estimator_info(method).dimension, nodes.source, nodes.target, cell.key});
+    if (stop == nullptr) return made;
+    return std::make_unique<InterruptiblePoints>(std::move(made), *stop);
 }
 
 struct Worker::Tools {
@@ -100,8 +129,7 @@ Worker::Worker(const StudyPlan& plan, const std::atomic<bool>* stop) : plan_(pla
         auto tools = std::make_unique<Tools>();
         tools->scene = &plan.scenes[cell.scene];
         tools->method = &plan.spec.methods[cell.method];
-        tools->points = make_points(*tools->method, cell);
-        if (tools->points && stop != nullptr) tools->points = interruptible(std::move(tools->points), *stop);
+        tools->points = make_points(*tools->method, cell, stop);
         const EstimatorEntry& entry = find_estimator(tools->method->estimator);
         auto& estimator = estimators[{cell.scene, entry.info.name, tools->method->tracer}];
         if (!estimator) estimator = entry.make(*tools->scene, tools->method->tracer);

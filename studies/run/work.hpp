@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/points/points.hpp"
 #include "studies/plan/plan.hpp"
-#include "studies/run/interruptible_points.hpp"
 #include "studies/store/records.hpp"
 
 #include <atomic>
@@ -10,8 +10,12 @@
 
 namespace ff::studies {
 
+/// Thrown out of a trial that is no longer wanted; its counts are lost.
+struct Interrupted {};
+
 /// The points of a cell. Null where its method takes none.
-std::unique_ptr<PointSource> make_points(const Method& method, const Cell& cell);
+/// @param stop  once true, every further request throws `Interrupted`; outlives the result; null: never
+std::unique_ptr<PointSource> make_points(const Method& method, const Cell& cell, const std::atomic<bool>* stop);
 
 /// The first trials of a unit, from an earlier study.
 struct BegunUnit {
