@@ -82,16 +82,11 @@ ExitCode compare(const CompareCommand& command) {
     const bool same_run = std::filesystem::equivalent(first, second, missing);
     expect_two(command, one, other, same_run);
     const auto templates = find_templates(command.templates);
-    const auto open = [](const std::filesystem::path& file) {
-        auto store = studies::Store::open(file);
-        if (!store.was_checked()) note_unchecked(file);
-        return store;
-    };
     const bool of_methods = !one.method.empty();
     auto names = same_run ? std::array{one.method, other.method} : names_of_folders(first, second);
     if (of_methods && !same_run) names = {names[0] + ":" + one.method, names[1] + ":" + other.method};
     const auto comparison = studies::compare_runs(
-        open(first), open(second), names,
+        open_results(first), open_results(second), names,
         of_methods ? std::optional(studies::MethodNames{one.method, other.method}) : std::nullopt);
     if (!command.out.empty()) {
         OutputFolder out(command.out, "comparison");

@@ -123,9 +123,7 @@ void list_pictures(const std::vector<reports::Picture>& all) {
 ExitCode figure(const FigureCommand& command) {
     const auto templates = find_templates(command.templates);
     const auto style = style_of(command);
-    const auto file = store_of(command.results);
-    const auto store = studies::Store::open(file);
-    if (!store.was_checked()) note_unchecked(file);
+    const auto store = open_results(command.results);
     expect_methods(command.methods, store.plan());
     const auto evaluated = evaluate_until_stopped(store);
     const auto all = reports::all_pictures(evaluated.results, {command.methods});

@@ -61,16 +61,9 @@ void print(const Explanation& explained) {
 }
 
 std::string_view beside_its_sizes(samplers::Sizes sizes) {
-    switch (sizes) {
-        case samplers::Sizes::powers:
-            return "; others lose the net property";
-        case samplers::Sizes::fourth_power:
-            return " only (k^2 for points on one patch)";
-        case samplers::Sizes::any:
-        case samplers::Sizes::nodes:
-            break;
-    }
-    return "";
+    return sizes == samplers::Sizes::powers         ? "; others lose the net property"
+           : sizes == samplers::Sizes::fourth_power ? " only (k^2 for points on one patch)"
+                                                    : "";
 }
 
 Explanation explanation(const samplers::SamplerInfo& info) {

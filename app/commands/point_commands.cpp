@@ -66,17 +66,11 @@ void describe(const samplers::PointSet& set, std::uint32_t base) {
 }
 
 std::string_view word(studies::SamplerVerdict verdict) {
-    switch (verdict) {
-        case studies::SamplerVerdict::pass:
-            return "pass";
-        case studies::SamplerVerdict::fail:
-            return "FAIL";
-        case studies::SamplerVerdict::note:
-            return "note";
-        case studies::SamplerVerdict::inconclusive:
-            break;
-    }
-    return "inconclusive";
+    using studies::SamplerVerdict;
+    return verdict == SamplerVerdict::pass   ? "pass"
+           : verdict == SamplerVerdict::fail ? "FAIL"
+           : verdict == SamplerVerdict::note ? "note"
+                                             : "inconclusive";
 }
 
 /// Writes a point set, or prints its evenness.

@@ -36,8 +36,7 @@ ExitCode report(const ReportCommand& command) {
     const auto formats = named.empty() ? usual_formats() : std::span<const std::string_view>(named);
     expect_formats(formats);
     std::error_code missing;
-    const auto store = studies::Store::open(file);
-    if (!store.was_checked()) note_unchecked(file);
+    const auto store = open_results(file);
     const auto [results, to_the_end] = evaluate_until_stopped(store);
     OutputFolder folder(out.empty() ? "." : out, owner_of(store.plan().spec));
     if (std::filesystem::equivalent(file, folder.path() / "results.sqlite", missing)) folder.inherit("study ");

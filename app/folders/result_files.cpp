@@ -181,6 +181,13 @@ std::filesystem::path store_of(const std::filesystem::path& results) {
     return std::filesystem::is_directory(results) ? results / "results.sqlite" : results;
 }
 
+studies::Store open_results(const std::filesystem::path& results) {
+    const auto file = store_of(results);
+    auto store = studies::Store::open(file);
+    if (!store.was_checked()) note_unchecked(file);
+    return store;
+}
+
 std::vector<std::string> usual_files() {
     std::vector<std::string> files{"report.html",       "report.md",    "answer.svg",      "audit.md",
                                    "summary.csv",       "slopes.csv",   "coverage.csv",    "trials.csv",

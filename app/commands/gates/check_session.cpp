@@ -29,15 +29,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 ExitCode exit_code(studies::gates::Verdict verdict) {
-    switch (verdict) {
-        case studies::gates::Verdict::pass:
-            return ExitCode::passed;
-        case studies::gates::Verdict::fail:
-            return ExitCode::failed;
-        case studies::gates::Verdict::inconclusive:
-            break;
-    }
-    return ExitCode::inconclusive;
+    return verdict == studies::gates::Verdict::pass   ? ExitCode::passed
+           : verdict == studies::gates::Verdict::fail ? ExitCode::failed
+                                                      : ExitCode::inconclusive;
 }
 
 /// Each file completely or not at all. @throws IoError
