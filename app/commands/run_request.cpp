@@ -8,7 +8,7 @@
 #include "core/support/error.hpp"
 #include "stats/basics/interval.hpp"
 #include "studies/results/resources.hpp"
-#include "studies/spec/spec_trials.hpp"
+#include "studies/spec/spec.hpp"
 #include "studies/store/store.hpp"
 
 #include <fmt/format.h>

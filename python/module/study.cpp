@@ -16,8 +16,7 @@
 #include "studies/readers/text_file.hpp"
 #include "studies/results/results.hpp"
 #include "studies/run/run.hpp"
-#include "studies/spec/named_files.hpp"
-#include "studies/spec/spec_trials.hpp"
+#include "studies/spec/spec.hpp"
 
 #include <fmt/format.h>
 #include <pybind11/stl.h>

@@ -127,11 +127,22 @@ std::vector<SceneSource> read_scenes(const TomlReader& reader);
 /// @throws UserError "origin:line:column: problem (why). Suggestion."
 StudySpec parse_study(std::string_view text, std::string_view origin);
 
-/// Reads a study file and the tables file that it names.
+/// Reads the scenes and the tables file that a parsed study names, from its folder.
+/// @throws IoError, UserError
+void read_named_files(StudySpec& spec, const std::filesystem::path& folder);
+
+/// Reads a study file and the files that it names.
 /// @throws IoError, UserError
 StudySpec load_study(const std::filesystem::path& file);
 
 /// The spec as a study file in canonical form: `parse_study(to_toml(spec))` is `spec`, without the text of the tables.
 std::string to_toml(const StudySpec& spec);
+
+/// Why a cell cannot have that many trials: "(why). Suggestion."; empty where it can.
+std::string problem_with_trials(std::uint64_t trials);
+
+/// Sets the number of trials; sizes with a number of their own keep their share of it, at least 2.
+/// @throws UserError  if there are fewer than 2, more than 2^32, or fewer than a pilot needs
+void set_trials(StudySpec& spec, std::uint64_t trials);
 
 }  // namespace ff::studies

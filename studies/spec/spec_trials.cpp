@@ -1,4 +1,4 @@
-#include "studies/spec/spec_trials.hpp"
+#include "studies/spec/spec.hpp"
 
 #include "core/support/error.hpp"
 
@@ -7,6 +7,11 @@
 #include <algorithm>
 
 namespace ff::studies {
+namespace {
+
+constexpr std::uint64_t max_trials = 1ULL << 32;  // a stream addresses trials with 32 bits
+
+}  // namespace
 
 std::string problem_with_trials(std::uint64_t trials) {
     if (trials == 0) return "(nothing would be run). Try 64.";

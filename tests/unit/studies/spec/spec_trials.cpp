@@ -1,4 +1,4 @@
-#include "studies/spec/spec_trials.hpp"
+#include "studies/spec/spec.hpp"
 
 #include "core/support/error.hpp"
 #include "tests/support/studies.hpp"
