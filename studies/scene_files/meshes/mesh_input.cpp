@@ -15,6 +15,21 @@
 namespace ff::studies::meshes {
 namespace {
 
+using Kind = NumberType::Kind;
+
+constexpr std::array number_types{
+    NumberTypeNames{{Kind::integer, 1}, "char int8", "CHAR SIGNED_CHAR", "Int8"},
+    NumberTypeNames{{Kind::natural, 1}, "uchar uint8", "UNSIGNED_CHAR", "UInt8"},
+    NumberTypeNames{{Kind::integer, 2}, "short int16", "SHORT", "Int16"},
+    NumberTypeNames{{Kind::natural, 2}, "ushort uint16", "UNSIGNED_SHORT", "UInt16"},
+    NumberTypeNames{{Kind::integer, 4}, "int int32", "INT VTKIDTYPE VTKTYPEINT32", "Int32"},
+    NumberTypeNames{{Kind::natural, 4}, "uint uint32", "UNSIGNED_INT VTKTYPEUINT32", "UInt32"},
+    NumberTypeNames{{Kind::integer, 8}, "", "LONG LONG_LONG VTKTYPEINT64", "Int64"},
+    NumberTypeNames{{Kind::natural, 8}, "", "UNSIGNED_LONG VTKTYPEUINT64", "UInt64"},
+    NumberTypeNames{{Kind::real, 4}, "float float32", "FLOAT", "Float32"},
+    NumberTypeNames{{Kind::real, 8}, "double float64", "DOUBLE", "Float64"},
+};
+
 constexpr std::string_view blanks_and_ends = " \t\r\n\v\f";
 
 constexpr std::string_view ends_early = "it ends here, and more has to follow (it was cut off). Write it again.";
@@ -32,16 +47,24 @@ std::int64_t whole_of(const std::array<char, 8>& bytes, NumberType type) {
     const auto value = number_of<std::uint64_t>(bytes);
     const auto unused = static_cast<int>(64 - 8 * type.bytes);
     const auto shifted = static_cast<std::int64_t>(value << unused);
-    return type.kind == NumberType::Kind::natural ? static_cast<std::int64_t>(value) : shifted >> unused;
+    return type.kind == Kind::natural ? static_cast<std::int64_t>(value) : shifted >> unused;
 }
 
 double real_of(const std::array<char, 8>& bytes, NumberType type) {
-    if (type.kind == NumberType::Kind::integer) return static_cast<double>(whole_of(bytes, type));
-    if (type.kind == NumberType::Kind::natural) return static_cast<double>(number_of<std::uint64_t>(bytes));
+    if (type.kind == Kind::integer) return static_cast<double>(whole_of(bytes, type));
+    if (type.kind == Kind::natural) return static_cast<double>(number_of<std::uint64_t>(bytes));
     return type.bytes == 4 ? static_cast<double>(number_of<float>(bytes)) : number_of<double>(bytes);
 }
 
 }  // namespace
+
+std::optional<NumberType> number_type_named(std::string_view name, std::string_view NumberTypeNames::*format) {
+    for (const NumberTypeNames& names : number_types) {
+        const auto words = split_words(names.*format);
+        if (std::find(words.begin(), words.end(), name) != words.end()) return names.type;
+    }
+    return std::nullopt;
+}
 
 MeshInput MeshInput::part(std::string_view name, std::string_view bytes, Encoding encoding) {
     MeshInput input(name, bytes);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,17 @@ struct NumberType {
 
     [[nodiscard]] bool is_whole() const { return kind != Kind::real; }
 };
+
+/// The names of a type of numbers, by format: words of which each is one.
+struct NumberTypeNames {
+    NumberType type;
+    std::string_view ply;
+    std::string_view vtk_legacy;  ///< in capitals
+    std::string_view vtk_xml;
+};
+
+/// The type of that name in a format; empty where it has none.
+std::optional<NumberType> number_type_named(std::string_view name, std::string_view NumberTypeNames::*format);
 
 inline constexpr NumberType int32_type{NumberType::Kind::integer, 4};
 inline constexpr NumberType float64_type{NumberType::Kind::real, 8};

@@ -18,36 +18,10 @@
 namespace ff::studies::meshes {
 namespace {
 
-using PlyKind = NumberType::Kind;
-
-constexpr std::array<std::pair<std::string_view, Encoding>, 3> ply_encodings{
-    {{"ascii", Encoding::text},
-     {"binary_little_endian", Encoding::little_endian},
-     {"binary_big_endian", Encoding::big_endian}}};
-
-constexpr std::array<std::pair<std::string_view, NumberType>, 16> ply_types{{{"char", {PlyKind::integer, 1}},
-                                                                             {"int8", {PlyKind::integer, 1}},
-                                                                             {"uchar", {PlyKind::natural, 1}},
-                                                                             {"uint8", {PlyKind::natural, 1}},
-                                                                             {"short", {PlyKind::integer, 2}},
-                                                                             {"int16", {PlyKind::integer, 2}},
-                                                                             {"ushort", {PlyKind::natural, 2}},
-                                                                             {"uint16", {PlyKind::natural, 2}},
-                                                                             {"int", {PlyKind::integer, 4}},
-                                                                             {"int32", {PlyKind::integer, 4}},
-                                                                             {"uint", {PlyKind::natural, 4}},
-                                                                             {"uint32", {PlyKind::natural, 4}},
-                                                                             {"float", {PlyKind::real, 4}},
-                                                                             {"float32", {PlyKind::real, 4}},
-                                                                             {"double", {PlyKind::real, 8}},
-                                                                             {"float64", {PlyKind::real, 8}}}};
-
-/// The entry of that name in a table; null where there is none.
-template <class Table>
-const auto* entry_of(const Table& table, std::string_view name) {
-    const auto found = std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.first == name; });
-    return found == table.end() ? nullptr : &found->second;
-}
+using PlyEncoding = std::pair<std::string_view, Encoding>;
+constexpr std::array ply_encodings{PlyEncoding{"ascii", Encoding::text},
+                                   PlyEncoding{"binary_little_endian", Encoding::little_endian},
+                                   PlyEncoding{"binary_big_endian", Encoding::big_endian}};
 
 struct Property {
     std::string name;
@@ -102,9 +76,10 @@ class PlyReader {
         for (std::string_view keyword = in_.word(); keyword != "end_header"; keyword = in_.word()) {
             if (keyword == "format") {
                 const std::string_view name = in_.word();
-                encoding = entry_of(ply_encodings, name);
-                if (encoding == nullptr)
+                const auto* const known = std::ranges::find(ply_encodings, name, &PlyEncoding::first);
+                if (known == ply_encodings.end())
                     in_.fail(fmt::format("format '{}' is not known. Write it as ascii.", excerpt(name)));
+                encoding = &known->second;
             } else if (keyword == "element") {
                 Element& element = elements_.emplace_back();
                 element.name = in_.word();
@@ -135,9 +110,8 @@ class PlyReader {
     }
 
     NumberType type(std::string_view name) const {
-        const NumberType* const known = entry_of(ply_types, name);
-        if (known == nullptr)
-            in_.fail(fmt::format("numbers of type '{}' are not known. Write it again.", excerpt(name)));
+        const auto known = number_type_named(name, &NumberTypeNames::ply);
+        if (!known) in_.fail(fmt::format("numbers of type '{}' are not known. Write it again.", excerpt(name)));
         return *known;
     }
 

@@ -20,39 +20,13 @@
 namespace ff::studies::meshes {
 namespace {
 
-using Kind = NumberType::Kind;
-
+constexpr NumberType byte_type{NumberType::Kind::natural, 1};
 constexpr std::string_view legacy_magic = "# vtk DataFile";
 
 std::string capitals(std::string_view word) {
     std::string text(word);
     for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     return text;
-}
-
-/// Empty for bits and texts, which are no numbers of whole bytes.
-std::optional<NumberType> legacy_type(std::string_view name) {
-    constexpr std::array<std::pair<std::string_view, NumberType>, 17> types{{{"CHAR", {Kind::integer, 1}},
-                                                                             {"SIGNED_CHAR", {Kind::integer, 1}},
-                                                                             {"UNSIGNED_CHAR", {Kind::natural, 1}},
-                                                                             {"SHORT", {Kind::integer, 2}},
-                                                                             {"UNSIGNED_SHORT", {Kind::natural, 2}},
-                                                                             {"INT", {Kind::integer, 4}},
-                                                                             {"UNSIGNED_INT", {Kind::natural, 4}},
-                                                                             {"LONG", {Kind::integer, 8}},
-                                                                             {"UNSIGNED_LONG", {Kind::natural, 8}},
-                                                                             {"VTKIDTYPE", {Kind::integer, 4}},
-                                                                             {"VTKTYPEINT32", {Kind::integer, 4}},
-                                                                             {"VTKTYPEUINT32", {Kind::natural, 4}},
-                                                                             {"VTKTYPEINT64", {Kind::integer, 8}},
-                                                                             {"VTKTYPEUINT64", {Kind::natural, 8}},
-                                                                             {"FLOAT", {Kind::real, 4}},
-                                                                             {"DOUBLE", {Kind::real, 8}},
-                                                                             {"LONG_LONG", {Kind::integer, 8}}}};
-    const std::string wanted = capitals(name);
-    const auto* const found =
-        std::find_if(types.begin(), types.end(), [&](const auto& entry) { return entry.first == wanted; });
-    return found == types.end() ? std::nullopt : std::optional(found->second);
 }
 
 /// A name of an array, in which blanks and others stand as %20.
@@ -144,7 +118,7 @@ class LegacyReader {
     }
 
     NumberType type(std::string_view name) const {
-        const auto known = legacy_type(name);
+        const auto known = number_type_named(capitals(name), &NumberTypeNames::vtk_legacy);
         if (!known) in_.fail(fmt::format("numbers of type '{}' are not read. Leave them out.", excerpt(name)));
         return *known;
     }
@@ -261,14 +235,14 @@ class LegacyReader {
         static_cast<void>(in_.word());  // the name
         const std::uint64_t width = in_.count();
         in_.line();
-        in_.skip({Kind::natural, 1}, is_table ? width : owned_, is_table ? 4 : width);
+        in_.skip(byte_type, is_table ? width : owned_, is_table ? 4 : width);
     }
 
     /// A text of an array: a line, or in binary its length and its bytes. The two highest bits of the length tell how
     /// many bytes it has itself.
     std::string text() {
         if (in_.encoding() == Encoding::text) return decoded_name(in_.line());
-        const auto byte = [&] { return static_cast<std::uint64_t>(in_.whole({Kind::natural, 1})); };
+        const auto byte = [&] { return static_cast<std::uint64_t>(in_.whole(byte_type)); };
         const std::uint64_t first = byte();
         constexpr std::array<int, 4> further_bytes{7, 3, 1, 0};
         std::uint64_t length = first & 0x3fU;

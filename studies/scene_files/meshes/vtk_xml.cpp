@@ -23,25 +23,11 @@
 namespace ff::studies::meshes {
 namespace {
 
-using XmlKind = NumberType::Kind;
-
 constexpr std::string_view root_tag = "<VTKFile";
 constexpr std::string_view appended_tag = "<AppendedData";
 
 std::optional<NumberType> xml_type(std::string_view name) {
-    constexpr std::array<std::pair<std::string_view, NumberType>, 10> types{{{"Int8", {XmlKind::integer, 1}},
-                                                                             {"UInt8", {XmlKind::natural, 1}},
-                                                                             {"Int16", {XmlKind::integer, 2}},
-                                                                             {"UInt16", {XmlKind::natural, 2}},
-                                                                             {"Int32", {XmlKind::integer, 4}},
-                                                                             {"UInt32", {XmlKind::natural, 4}},
-                                                                             {"Int64", {XmlKind::integer, 8}},
-                                                                             {"UInt64", {XmlKind::natural, 8}},
-                                                                             {"Float32", {XmlKind::real, 4}},
-                                                                             {"Float64", {XmlKind::real, 8}}}};
-    const auto* const found =
-        std::find_if(types.begin(), types.end(), [&](const auto& entry) { return entry.first == name; });
-    return found == types.end() ? std::nullopt : std::optional(found->second);
+    return number_type_named(name, &NumberTypeNames::vtk_xml);
 }
 
 class XmlReader {
