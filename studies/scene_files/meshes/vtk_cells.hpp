@@ -1,11 +1,12 @@
 #pragma once
 
+#include "studies/scene_files/meshes/mesh_input.hpp"
 #include "studies/scene_files/meshes/surface_mesh.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <span>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,44 +26,43 @@ struct VtkCells {
     std::vector<std::int64_t> types;   ///< one for each cell
 
     /// Adds cells of one type, whose ends count from the first of them.
-    void append(const std::vector<std::int64_t>& more_points, const std::vector<std::int64_t>& more_ends,
-                std::int64_t type);
+    void append(const VtkCells& more, std::int64_t type);
 };
 
-using CellCorners = std::span<const std::int64_t>;
+/// An array with a whole number or a text for each cell.
+struct VtkArray {
+    std::string name;
+    std::vector<std::int64_t> numbers;
+    std::vector<std::string> texts;  ///< empty where it has numbers
 
-/// Whether cells of that type are polygons, or strips of them.
-bool is_polygon_type(std::int64_t type);
-
-/// Calls visit(number, points) for each cell. @throws UserError where ends are not in order
-void for_each_cell(std::string_view file, const VtkCells& cells,
-                   const std::function<void(std::size_t, CellCorners)>& visit);
-
-/// Adds the polygons of cells to a mesh; those of higher order by their corners alone.
-class CellPolygons {
-  public:
-    /// @param first_point  of the piece that cells are of, in the mesh
-    CellPolygons(SurfaceMesh& mesh, std::string_view file, std::size_t first_point, std::size_t points)
-        : mesh_(mesh),
-          file_(file),
-          first_point_(static_cast<std::int64_t>(first_point)),
-          points_(static_cast<std::int64_t>(points)) {}
-
-    /// Adds nothing of points and lines, and counts volume cells. @throws UserError
-    void add(std::size_t number, std::int64_t type, CellCorners points, const std::string& group);
-
-  private:
-    SurfaceMesh& mesh_;
-    std::string_view file_;
-    std::int64_t first_point_;
-    std::int64_t points_;
-    std::string cell_;
-    std::string group_;
-
-    [[noreturn]] void fail(std::string_view problem) const;
-    [[nodiscard]] CellCorners first(std::size_t count, CellCorners points) const;
-    void add(CellCorners corners);
-    void add_strip(CellCorners points);
+    [[nodiscard]] std::size_t size() const { return texts.empty() ? numbers.size() : texts.size(); }
+    /// What it calls the face of a cell: name_number, or the text.
+    [[nodiscard]] std::string face_of(std::size_t cell) const;
 };
+
+/// Arrays of cells, sorted by what they are good for.
+struct VtkArrays {
+    std::vector<VtkArray> usable;      ///< may tell faces apart
+    std::vector<std::string> others;   ///< names of those that cannot: of fractions, or several numbers for each cell
+    std::vector<std::int64_t> hidden;  ///< vtkGhostType of each cell; empty: none is hidden
+
+    /// Adds an array; nothing of those that VTK keeps for itself, whose names begin with vtk.
+    /// @param read  its numbers, where they are needed  @return whether they were read
+    bool add(const std::string& name, std::optional<NumberType> type, std::uint64_t components,
+             const std::function<std::vector<std::int64_t>()>& read);
+};
+
+/// A part of a file with points and cells of its own.
+struct VtkPiece {
+    std::size_t first_point = 0;  ///< in the mesh
+    std::size_t points = 0;
+    VtkCells cells;
+    VtkArrays arrays;
+};
+
+/// Adds the polygons of pieces to a mesh that has their points. Faces are told apart by the first array that every
+/// piece has and that differs between polygons. Hidden and duplicate cells are left out. Notes say so.
+/// @throws UserError
+void add_pieces(SurfaceMesh& mesh, std::string_view file, const std::vector<VtkPiece>& pieces);
 
 }  // namespace ff::studies::meshes

@@ -2,7 +2,6 @@
 #include "studies/scene_files/meshes/formats.hpp"
 #include "studies/scene_files/meshes/mesh_input.hpp"
 #include "studies/scene_files/meshes/vtk_cells.hpp"
-#include "studies/scene_files/meshes/vtk_faces.hpp"
 
 #include <fmt/format.h>
 
@@ -64,10 +63,6 @@ class LegacyReader {
     }
 
   private:
-    struct Connections {
-        std::vector<std::int64_t> points;
-        std::vector<std::int64_t> ends;
-    };
     enum class Owner { none, cells, points };
 
     std::string_view file_;
@@ -79,9 +74,8 @@ class LegacyReader {
          {"LINES", vtk_poly_line},
          {"POLYGONS", vtk_polygon},
          {"TRIANGLE_STRIPS", vtk_triangle_strip}}};
-    std::array<Connections, sections.size()> of_sections_;
-    Connections cells_;
-    std::optional<std::vector<std::int64_t>> types_;
+    std::array<VtkCells, sections.size()> of_sections_;
+    VtkCells cells_;
     Owner owner_ = Owner::none;
     std::uint64_t owned_ = 0;  ///< cells or points that arrays are of
     VtkArrays arrays_;         ///< of cells
@@ -104,7 +98,7 @@ class LegacyReader {
         } else if (keyword == "CELL_TYPES") {
             const std::uint64_t count = in_.count();
             in_.line();
-            types_ = in_.wholes(int32_type, count, 1);
+            cells_.types = in_.wholes(int32_type, count, 1);
         } else if (keyword == "CELL_DATA" || keyword == "POINT_DATA") {
             owner_ = keyword == "CELL_DATA" ? Owner::cells : Owner::points;
             owned_ = in_.count();
@@ -133,11 +127,12 @@ class LegacyReader {
     }
 
     /// Cells as number of points and points of each, or, from version 5.1 on, as where each begins and all points.
-    void read_connections(Connections& cells) {
+    void read_connections(VtkCells& cells) {
         const std::uint64_t count = in_.count();
         const std::uint64_t size = in_.count();
         in_.line();
-        cells = {};
+        cells.points.clear();
+        cells.ends.clear();
         if (capitals(in_.next_word()) == "OFFSETS") return read_offsets(cells, count, size);
         const std::vector<std::int64_t> values = in_.wholes(int32_type, size, 1);
         for (std::size_t at = 0; at < values.size();) {
@@ -154,7 +149,7 @@ class LegacyReader {
             in_.fail(fmt::format("{} cells are announced, and there are {}. Correct it.", count, cells.ends.size()));
     }
 
-    void read_offsets(Connections& cells, std::uint64_t count, std::uint64_t size) {
+    void read_offsets(VtkCells& cells, std::uint64_t count, std::uint64_t size) {
         cells.ends = read_named("OFFSETS", count);
         cells.points = read_named("CONNECTIVITY", size);
         if (!cells.ends.empty()) cells.ends.erase(cells.ends.begin());  // where the first cell begins: 0
@@ -262,33 +257,23 @@ class LegacyReader {
             return;
         }
         const NumberType number = type(type_name);
-        const VtkUse use = use_of_array(name, number, components);
-        if (is_of_cells && use == VtkUse::faces) {
-            arrays_.usable.push_back({name, in_.wholes(number, tuples, 1), {}});
-        } else if (is_of_cells && use == VtkUse::hidden) {
-            arrays_.hidden = in_.wholes(number, tuples, 1);
-        } else {
-            if (is_of_cells && use == VtkUse::none) arrays_.others.push_back(name);
-            in_.skip(number, tuples, components);
-        }
+        const auto read = [&] { return in_.wholes(number, tuples, 1); };
+        if (!is_of_cells || !arrays_.add(name, number, components, read)) in_.skip(number, tuples, components);
     }
 
     SurfaceMesh finish() {
         in_.set_section("");
-        VtkCells cells{std::move(cells_.points), std::move(cells_.ends),
-                       std::move(types_).value_or(std::vector<std::int64_t>())};
-        if (cells.types.size() != cells.ends.size())
-            in_.fail(fmt::format("{} cells have {} types. Correct CELLS or CELL_TYPES.", cells.ends.size(),
-                                 cells.types.size()));
-        for (std::size_t i = 0; i < sections.size(); ++i)
-            cells.append(of_sections_[i].points, of_sections_[i].ends, sections[i].second);
+        if (cells_.types.size() != cells_.ends.size())
+            in_.fail(fmt::format("{} cells have {} types. Correct CELLS or CELL_TYPES.", cells_.ends.size(),
+                                 cells_.types.size()));
+        for (std::size_t i = 0; i < sections.size(); ++i) cells_.append(of_sections_[i], sections[i].second);
         for (const VtkArray& array : arrays_.usable) {
-            if (array.size() != cells.ends.size())
+            if (array.size() != cells_.ends.size())
                 in_.fail(fmt::format("array {} has {} values for {} cells. Correct it.", excerpt(array.name),
-                                     array.size(), cells.ends.size()));
+                                     array.size(), cells_.ends.size()));
         }
         const std::size_t points = mesh_.point_count();
-        add_pieces(mesh_, file_, {{0, points, std::move(cells), std::move(arrays_)}});
+        add_pieces(mesh_, file_, {{0, points, std::move(cells_), std::move(arrays_)}});
         return std::move(mesh_);
     }
 };

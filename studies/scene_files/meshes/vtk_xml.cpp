@@ -5,7 +5,6 @@
 #include "studies/scene_files/meshes/mesh_input.hpp"
 #include "studies/scene_files/meshes/vtk_cells.hpp"
 #include "studies/scene_files/meshes/vtk_data_array.hpp"
-#include "studies/scene_files/meshes/vtk_faces.hpp"
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -14,7 +13,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -177,14 +175,13 @@ class XmlReader {
         return {before, points};
     }
 
-    /// Ends of cells, and the points of all.
-    [[nodiscard]] std::pair<std::vector<std::int64_t>, std::vector<std::int64_t>> read_cells(
-        pugi::xml_node cells, std::uint64_t number) const {
+    /// Cells without types.
+    [[nodiscard]] VtkCells read_cells(pugi::xml_node cells, std::uint64_t number) const {
         if (number == 0) return {};
         auto ends = wholes(array_of(cells, "offsets"), number);
         const std::int64_t size = ends.back();
         if (size < 0) fail(fmt::format("array 'offsets' ends with {}. Correct it.", size));
-        return {std::move(ends), wholes(array_of(cells, "connectivity"), static_cast<std::uint64_t>(size))};
+        return {wholes(array_of(cells, "connectivity"), static_cast<std::uint64_t>(size)), std::move(ends), {}};
     }
 
     [[nodiscard]] VtkArrays read_arrays(pugi::xml_node piece, std::uint64_t cells) const {
@@ -193,10 +190,8 @@ class XmlReader {
         for (const pugi::xml_node array : piece.child("CellData").children()) {
             const std::string name = array.attribute("Name").value();
             const std::uint64_t components = array.attribute("NumberOfComponents").as_uint(1);
-            const VtkUse use = use_of_array(name, xml_type(array.attribute("type").value()), components);
-            if (use == VtkUse::faces) arrays.usable.push_back({name, wholes(array, cells), {}});
-            if (use == VtkUse::hidden) arrays.hidden = wholes(array, cells);
-            if (use == VtkUse::none) arrays.others.push_back(name);
+            arrays.add(name, xml_type(array.attribute("type").value()), components,
+                       [&] { return wholes(array, cells); });
         }
         return arrays;
     }
@@ -205,8 +200,7 @@ class XmlReader {
         const auto [first_point, points] = read_points(piece);
         const std::uint64_t number = count(piece, "NumberOfCells");
         if (number == 0) return;
-        VtkCells cells;
-        std::tie(cells.ends, cells.points) = read_cells(piece.child("Cells"), number);
+        VtkCells cells = read_cells(piece.child("Cells"), number);
         cells.types = wholes(array_of(piece.child("Cells"), "types"), number);
         pieces_.push_back({first_point, points, std::move(cells), read_arrays(piece, number)});
     }
@@ -224,10 +218,8 @@ class XmlReader {
                                                    {"Strips", "NumberOfStrips", vtk_triangle_strip}}};
         const auto [first_point, points] = read_points(piece);
         VtkCells cells;
-        for (const Section& section : sections) {
-            const auto [ends, members] = read_cells(piece.child(section.name), count(piece, section.number));
-            cells.append(members, ends, section.type);
-        }
+        for (const Section& section : sections)
+            cells.append(read_cells(piece.child(section.name), count(piece, section.number)), section.type);
         if (cells.ends.empty()) return;
         const std::uint64_t number = cells.ends.size();
         pieces_.push_back({first_point, points, std::move(cells), read_arrays(piece, number)});
