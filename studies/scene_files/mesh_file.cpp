@@ -4,8 +4,7 @@
 #include "studies/readers/text_file.hpp"
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
-#include "studies/scene_files/meshes/gltf_check.hpp"
-#include "studies/scene_files/meshes/mesh_kind.hpp"
+#include "studies/scene_files/meshes/formats.hpp"
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>

@@ -3,7 +3,7 @@
 
 #include "studies/scene_files/scene_file.hpp"
 #include "core/support/error.hpp"
-#include "studies/scene_files/meshes/mesh_kind.hpp"
+#include "studies/scene_files/meshes/formats.hpp"
 #include "tests/fuzz/one_input.hpp"
 
 #include <array>

@@ -7,12 +7,29 @@
 
 namespace ff::studies::meshes {
 
+/// What a mesh file is by its content.
+struct MeshKind {
+    std::string_view name;       ///< "a PLY file"
+    std::string_view extension;  ///< that its name should have
+    /// Reads all bytes of the file of that name; null where another library does. @throws UserError
+    SurfaceMesh (*read)(std::string_view file, std::string_view bytes) = nullptr;
+};
+
+/// As many bytes tell what a file is.
+inline constexpr std::size_t bytes_that_tell = 65536;
+
+/// Null where the content does not tell.
+/// @param beginning  up to `bytes_that_tell` bytes  @param size  of the file
+const MeshKind* mesh_kind(std::string_view beginning, std::uint64_t size);
+
+/// What a file with that extension should be; null where no reader of the project's own has it.
+const MeshKind* mesh_kind_named(std::string_view extension);
+
 // Each reads the bytes of a file, whose name is for messages.
 // @throws UserError "file: place: problem (why). Suggestion."
 
 /// VTK's older format: polygons and unstructured grids, in text or binary. Groups are the values of the first array of
 /// whole numbers or texts that differs between polygons.
-bool is_vtk_legacy(std::string_view bytes);
 SurfaceMesh read_vtk_legacy(std::string_view file, std::string_view bytes);
 
 /// VTK's XML: the same, in text, base64 or appended bytes, compressed by zlib or not.
@@ -21,7 +38,6 @@ SurfaceMesh read_vtk_xml(std::string_view file, std::string_view bytes);
 
 /// gmsh's formats 2, 4.0 and 4.1, in text or binary. Groups are physical surfaces, by name, or else surfaces:
 /// see GmshSurfaces.
-bool is_gmsh(std::string_view bytes);
 SurfaceMesh read_gmsh(std::string_view file, std::string_view bytes);
 
 /// STL in text or binary. Groups are the solids of a text.
@@ -35,5 +51,10 @@ SurfaceMesh read_ply(std::string_view file, std::string_view bytes);
 /// OFF in text, with places of three coordinates.
 bool is_off(std::string_view bytes);
 SurfaceMesh read_off(std::string_view file, std::string_view bytes);
+
+/// Looks for what moves, packs or repeats polygons and is unknown to the library that reads glTF, which would pass over
+/// it in silence: extensions, coordinates of whole numbers, and shapes that morph or have a skin.
+/// @param bytes  of a .gltf or .glb file  @throws UserError "file: place: problem (why). Suggestion."
+void expect_plain_gltf(std::string_view file, std::string_view bytes);
 
 }  // namespace ff::studies::meshes

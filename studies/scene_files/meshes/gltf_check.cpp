@@ -1,7 +1,6 @@
-#include "studies/scene_files/meshes/gltf_check.hpp"
-
 #include "core/support/excerpt.hpp"
 #include "studies/readers/json_reader.hpp"
+#include "studies/scene_files/meshes/formats.hpp"
 #include "studies/scene_files/meshes/mesh_input.hpp"
 
 #include <fmt/format.h>

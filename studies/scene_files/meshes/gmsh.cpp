@@ -1,12 +1,12 @@
 #include "core/support/excerpt.hpp"
 #include "core/support/words.hpp"
 #include "studies/scene_files/meshes/formats.hpp"
-#include "studies/scene_files/meshes/gmsh_elements.hpp"
 #include "studies/scene_files/meshes/gmsh_surfaces.hpp"
 #include "studies/scene_files/meshes/mesh_input.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -20,9 +20,29 @@
 namespace ff::studies::meshes {
 namespace {
 
-constexpr std::string_view format_section = "$MeshFormat";
-
 enum class Version { two, four_0, four_1 };
+
+/// A type of elements of gmsh.
+struct GmshElement {
+    std::uint8_t dimension = 0;
+    std::uint8_t corners = 0;  ///< which are its first nodes
+    std::uint16_t nodes = 0;
+};
+
+/// Types that gmsh commonly writes, by number.
+constexpr std::array<std::pair<std::uint8_t, GmshElement>, 66> gmsh_types{{
+    {1, {1, 2, 2}},   {2, {2, 3, 3}},   {3, {2, 4, 4}},   {4, {3, 4, 4}},    {5, {3, 8, 8}},    {6, {3, 6, 6}},
+    {7, {3, 5, 5}},   {8, {1, 2, 3}},   {9, {2, 3, 6}},   {10, {2, 4, 9}},   {11, {3, 4, 10}},  {12, {3, 8, 27}},
+    {13, {3, 6, 18}}, {14, {3, 5, 14}}, {15, {0, 1, 1}},  {16, {2, 4, 8}},   {17, {3, 8, 20}},  {18, {3, 6, 15}},
+    {19, {3, 5, 13}}, {20, {2, 3, 9}},  {21, {2, 3, 10}}, {22, {2, 3, 12}},  {23, {2, 3, 15}},  {24, {2, 3, 15}},
+    {25, {2, 3, 21}}, {26, {1, 2, 4}},  {27, {1, 2, 5}},  {28, {1, 2, 6}},   {29, {3, 4, 20}},  {30, {3, 4, 35}},
+    {31, {3, 4, 56}}, {36, {2, 4, 16}}, {37, {2, 4, 25}}, {38, {2, 4, 36}},  {39, {2, 4, 12}},  {40, {2, 4, 16}},
+    {41, {2, 4, 20}}, {42, {2, 3, 28}}, {43, {2, 3, 36}}, {44, {2, 3, 45}},  {45, {2, 3, 55}},  {46, {2, 3, 66}},
+    {47, {2, 4, 49}}, {48, {2, 4, 64}}, {49, {2, 4, 81}}, {50, {2, 4, 100}}, {51, {2, 4, 121}}, {52, {2, 3, 18}},
+    {53, {2, 3, 21}}, {54, {2, 3, 24}}, {55, {2, 3, 27}}, {56, {2, 3, 30}},  {57, {2, 4, 24}},  {58, {2, 4, 28}},
+    {59, {2, 4, 32}}, {60, {2, 4, 36}}, {61, {2, 4, 40}}, {62, {1, 2, 7}},   {63, {1, 2, 8}},   {64, {1, 2, 9}},
+    {65, {1, 2, 10}}, {66, {1, 2, 11}}, {90, {3, 6, 40}}, {91, {3, 6, 75}},  {92, {3, 8, 64}},  {93, {3, 8, 125}},
+}};
 
 class GmshReader {
   public:
@@ -50,7 +70,7 @@ class GmshReader {
     std::unordered_map<std::int64_t, std::vector<std::int64_t>> physical_of_surface_;  ///< by tag
 
     void read_section(const std::string& name) {
-        if (name == format_section) {
+        if (name == "$MeshFormat") {
             read_format();
         } else if (name == "$PhysicalNames") {
             read_names();
@@ -244,9 +264,11 @@ class GmshReader {
     }
 
     [[nodiscard]] GmshElement element_of(std::int64_t type) const {
-        const auto element = gmsh_element(type);
-        if (!element) in_.fail(fmt::format("elements of type {} are not known. Write triangles.", type));
-        return *element;
+        const auto* const found =
+            std::find_if(gmsh_types.begin(), gmsh_types.end(), [&](const auto& entry) { return entry.first == type; });
+        if (found == gmsh_types.end())
+            in_.fail(fmt::format("elements of type {} are not known. Write triangles.", type));
+        return found->second;
     }
 
     void add(GmshElement element, std::int64_t number, const std::vector<std::int64_t>& physical, std::int64_t surface,
@@ -265,10 +287,6 @@ class GmshReader {
 };
 
 }  // namespace
-
-bool is_gmsh(std::string_view bytes) {
-    return bytes.starts_with(format_section);
-}
 
 SurfaceMesh read_gmsh(std::string_view file, std::string_view bytes) {
     return GmshReader(file, bytes).read();

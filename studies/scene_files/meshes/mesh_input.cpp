@@ -165,6 +165,12 @@ double MeshInput::coordinate(NumberType type) {
     return value;
 }
 
+Eigen::Vector3d MeshInput::place(NumberType type) {
+    const double x = coordinate(type);
+    const double y = coordinate(type);
+    return {x, y, coordinate(type)};
+}
+
 std::int64_t MeshInput::whole(NumberType type) {
     if (!type.is_whole()) fail("its numbers are of a type with fractions, and have to be whole.");
     if (encoding_ != Encoding::text) return whole_of(binary(type), type);

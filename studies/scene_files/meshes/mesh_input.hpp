@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -68,6 +70,8 @@ class MeshInput {
     double real(NumberType type);
     /// The same. @throws UserError where it is not finite
     double coordinate(NumberType type);
+    /// Three coordinates.
+    Eigen::Vector3d place(NumberType type);
     std::int64_t whole(NumberType type);
     std::vector<double> reals(NumberType type, std::uint64_t tuples, std::uint64_t components);
     std::vector<std::int64_t> wholes(NumberType type, std::uint64_t tuples, std::uint64_t components);

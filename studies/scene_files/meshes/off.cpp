@@ -34,7 +34,7 @@ class OffReader {
         const std::uint64_t vertices = header.count();
         const std::uint64_t polygons = header.count();  // the number of edges may follow, and tells nothing
         missing_ = fmt::format("{} vertices and {} polygons", vertices, polygons);
-        for (std::uint64_t i = 0; i < vertices; ++i) read_vertex();
+        for (std::uint64_t i = 0; i < vertices; ++i) mesh_.add_point(next_line().place(float64_type));
         for (std::uint64_t i = 0; i < polygons; ++i) read_polygon(i);
         if (has_line()) fail(fmt::format("a line follows the {} (their numbers are wrong). Correct them.", missing_));
         return std::move(mesh_);
@@ -83,13 +83,6 @@ class OffReader {
             line.fail(fmt::format("{} has places of more than three coordinates. Write it as OFF.", keyword));
         if (line.next_word() == "BINARY") line.fail("the binary form of OFF is not read. Write it as text.");
         return line.at_end() ? next_line() : line;
-    }
-
-    void read_vertex() {
-        MeshInput line = next_line();
-        const double x = line.coordinate(float64_type);
-        const double y = line.coordinate(float64_type);
-        mesh_.add_point({x, y, line.coordinate(float64_type)});
     }
 
     /// Points and lines are polygons of one and two corners, and are left out.

@@ -28,12 +28,6 @@ std::string small_letters(std::string_view text) {
     return small;
 }
 
-void add_corner(SurfaceMesh& mesh, MeshInput& in) {
-    const double x = in.coordinate(stl_float);
-    const double y = in.coordinate(stl_float);
-    mesh.add_point({x, y, in.coordinate(stl_float)});
-}
-
 /// A polygon of the last three points: triangles of STL share none.
 void add_triangle(SurfaceMesh& mesh, std::string_view group) {
     const auto end = static_cast<std::int64_t>(mesh.point_count());
@@ -84,7 +78,7 @@ class StlTextReader {
         expect("loop");
         for (int i = 0; i < 3; ++i) {
             expect("vertex");
-            add_corner(mesh_, in_);
+            mesh_.add_point(in_.place(stl_float));
         }
         expect("endloop");
         expect("endfacet");
@@ -107,7 +101,7 @@ SurfaceMesh read_binary_stl(std::string_view file, std::string_view bytes) {
                         count, count * stl_record, in.left()));
     for (std::int64_t i = 0; i < count; ++i) {
         in.skip_bytes(stl_normal);
-        for (int corner = 0; corner < 3; ++corner) add_corner(mesh, in);
+        for (int corner = 0; corner < 3; ++corner) mesh.add_point(in.place(stl_float));
         in.skip_bytes(2);
         add_triangle(mesh, unnamed_group);
     }

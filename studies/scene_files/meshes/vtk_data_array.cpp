@@ -17,9 +17,64 @@ namespace {
     throw UserError(fmt::format("{}: {}", place, problem));
 }
 
-std::uint64_t next_of_header(EncodedBytes& bytes, const Packing& packing, const std::string& place) {
+/// Bytes of an array, from front to back.
+class EncodedBytes {
+  public:
+    EncodedBytes(const std::string& place, std::string_view text, ByteForm form)
+        : place_(place), text_(text), form_(form) {}
+
+    [[nodiscard]] const std::string& place() const { return place_; }
+
+    /// The next bytes. @throws UserError where there are fewer, before storage is taken for them
+    std::string take(std::uint64_t count) {
+        const std::size_t most = form_ == ByteForm::raw ? text_.size() : decoded_.size() + text_.size();
+        if (count > most)
+            refuse(place_, fmt::format("{} bytes are announced, and {} follow (the file was cut off, or the number is "
+                                       "wrong). Write it again.",
+                                       count, most));
+        std::string bytes;
+        if (form_ == ByteForm::raw) {
+            bytes = text_.substr(0, count);
+            text_.remove_prefix(count);
+            return bytes;
+        }
+        while (decoded_.size() < count) decode_group();
+        bytes = decoded_.substr(0, count);
+        decoded_.erase(0, count);
+        return bytes;
+    }
+
+  private:
+    const std::string& place_;
+    std::string_view text_;
+    ByteForm form_;
+    std::string decoded_;  ///< of the last group of base64, what was not taken yet
+
+    void decode_group() {
+        constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+        std::uint32_t bits = 0;
+        int count = 0;
+        int padding = 0;
+        while (count < 4) {
+            if (text_.empty()) refuse(place_, "its bytes end early (the file was cut off). Write it again.");
+            const char c = text_.front();
+            text_.remove_prefix(1);
+            if (std::isspace(static_cast<unsigned char>(c)) != 0) continue;
+            const std::size_t digit = c == '=' ? 0 : digits.find(c);
+            if (digit == std::string_view::npos || (padding > 0 && c != '=') || (c == '=' && count < 2))
+                refuse(place_, "a character that is not base64 (damaged). Write it again.");
+            padding += c == '=' ? 1 : 0;
+            bits = bits << 6 | static_cast<std::uint32_t>(digit);
+            ++count;
+        }
+        for (int byte = 0; byte < 3 - padding; ++byte)
+            decoded_ += static_cast<char>(static_cast<unsigned char>(bits >> (16 - 8 * byte) & 0xff));
+    }
+};
+
+std::uint64_t next_of_header(EncodedBytes& bytes, const Packing& packing) {
     const std::string number = bytes.take(packing.header.bytes);
-    return static_cast<std::uint64_t>(MeshInput::part(place, number, packing.encoding).whole(packing.header));
+    return static_cast<std::uint64_t>(MeshInput::part(bytes.place(), number, packing.encoding).whole(packing.header));
 }
 
 std::string inflate_block(const std::string& packed, std::uint64_t size, const std::string& place) {
@@ -41,8 +96,8 @@ std::string inflate_block(const std::string& packed, std::uint64_t size, const s
     return block;
 }
 
-std::string unpack_blocks(EncodedBytes& bytes, const Packing& packing, const std::string& place) {
-    const auto next = [&] { return next_of_header(bytes, packing, place); };
+std::string unpack_blocks(EncodedBytes& bytes, const Packing& packing) {
+    const auto next = [&] { return next_of_header(bytes, packing); };
     const std::uint64_t blocks = next();
     if (blocks == 0) return {};
     const std::uint64_t size = next();
@@ -52,55 +107,17 @@ std::string unpack_blocks(EncodedBytes& bytes, const Packing& packing, const std
     std::string all;
     for (std::uint64_t i = 0; i < blocks; ++i) {
         const bool is_partial = i + 1 == blocks && last_size != 0;
-        all += inflate_block(bytes.take(packed_sizes[i]), is_partial ? last_size : size, place);
+        all += inflate_block(bytes.take(packed_sizes[i]), is_partial ? last_size : size, bytes.place());
     }
     return all;
 }
 
 }  // namespace
 
-void EncodedBytes::decode_group() {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::uint32_t bits = 0;
-    int count = 0;
-    int padding = 0;
-    while (count < 4) {
-        if (text_.empty()) refuse(place_, "its bytes end early (the file was cut off). Write it again.");
-        const char c = text_.front();
-        text_.remove_prefix(1);
-        if (std::isspace(static_cast<unsigned char>(c)) != 0) continue;
-        const std::size_t digit = c == '=' ? 0 : digits.find(c);
-        if (digit == std::string_view::npos || (padding > 0 && c != '=') || (c == '=' && count < 2))
-            refuse(place_, "a character that is not base64 (damaged). Write it again.");
-        padding += c == '=' ? 1 : 0;
-        bits = bits << 6 | static_cast<std::uint32_t>(digit);
-        ++count;
-    }
-    for (int byte = 0; byte < 3 - padding; ++byte)
-        decoded_ += static_cast<char>(static_cast<unsigned char>(bits >> (16 - 8 * byte) & 0xff));
-}
-
-std::string EncodedBytes::take(std::uint64_t count) {
-    const std::size_t most = form_ == Form::raw ? text_.size() : decoded_.size() + text_.size();
-    if (count > most)
-        refuse(place_, fmt::format("{} bytes are announced, and {} follow (the file was cut off, or the number is "
-                                   "wrong). Write it again.",
-                                   count, most));
-    std::string bytes;
-    if (form_ == Form::raw) {
-        bytes = text_.substr(0, count);
-        text_.remove_prefix(count);
-        return bytes;
-    }
-    while (decoded_.size() < count) decode_group();
-    bytes = decoded_.substr(0, count);
-    decoded_.erase(0, count);
-    return bytes;
-}
-
-std::string unpack(EncodedBytes bytes, const Packing& packing, const std::string& place) {
-    if (packing.is_compressed) return unpack_blocks(bytes, packing, place);
-    return bytes.take(next_of_header(bytes, packing, place));
+std::string unpack(const std::string& place, std::string_view text, ByteForm form, const Packing& packing) {
+    EncodedBytes bytes(place, text, form);
+    if (packing.is_compressed) return unpack_blocks(bytes, packing);
+    return bytes.take(next_of_header(bytes, packing));
 }
 
 }  // namespace ff::studies::meshes

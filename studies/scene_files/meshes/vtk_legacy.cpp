@@ -20,7 +20,6 @@ namespace ff::studies::meshes {
 namespace {
 
 constexpr NumberType byte_type{NumberType::Kind::natural, 1};
-constexpr std::string_view legacy_magic = "# vtk DataFile";
 
 std::string capitals(std::string_view word) {
     std::string text(word);
@@ -279,10 +278,6 @@ class LegacyReader {
 };
 
 }  // namespace
-
-bool is_vtk_legacy(std::string_view bytes) {
-    return bytes.starts_with(legacy_magic);
-}
 
 SurfaceMesh read_vtk_legacy(std::string_view file, std::string_view bytes) {
     return LegacyReader(file, bytes).read();

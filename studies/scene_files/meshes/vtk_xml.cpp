@@ -55,7 +55,7 @@ class XmlReader {
     std::string file_;
     pugi::xml_document document_;
     std::string_view appended_;
-    EncodedBytes::Form form_ = EncodedBytes::Form::raw;
+    ByteForm form_ = ByteForm::raw;
     Packing packing_;
     SurfaceMesh mesh_;
     std::vector<VtkPiece> pieces_;
@@ -99,7 +99,7 @@ class XmlReader {
                              excerpt(encoding)));
         packing_ = {order == "BigEndian" ? Encoding::big_endian : Encoding::little_endian, *xml_type(header),
                     !compressor.empty()};
-        form_ = encoding == "raw" ? EncodedBytes::Form::raw : EncodedBytes::Form::base64;
+        form_ = encoding == "raw" ? ByteForm::raw : ByteForm::base64;
     }
 
     [[nodiscard]] std::uint64_t count(pugi::xml_node piece, const char* attribute) const {
@@ -129,9 +129,9 @@ class XmlReader {
                     fmt::format("array '{}' is at offset {}, of {} appended bytes (the file was cut off, or the "
                                 "offset is wrong). Write it again.",
                                 excerpt(array.attribute("Name").value()), offset, appended_.size()));
-            bytes = unpack({place, appended_.substr(offset), form_}, packing_, place);
+            bytes = unpack(place, appended_.substr(offset), form_, packing_);
         } else if (format == "binary") {
-            bytes = unpack({place, array.text().get(), EncodedBytes::Form::base64}, packing_, place);
+            bytes = unpack(place, array.text().get(), ByteForm::base64, packing_);
         } else if (format == "ascii") {
             bytes = array.text().get();
         } else {

@@ -1,7 +1,7 @@
 // Meshes in the formats that the project reads itself, sound and broken.
 #include "core/geometry/surface_map.hpp"
 #include "core/support/error.hpp"
-#include "studies/scene_files/meshes/mesh_kind.hpp"
+#include "studies/scene_files/meshes/formats.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "tests/support/studies.hpp"
 #include "tests/unit/studies/scene_files/mesh_samples.hpp"

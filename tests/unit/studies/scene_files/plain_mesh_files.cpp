@@ -2,7 +2,6 @@
 // looked at in glTF before a library reads it.
 #include "core/support/error.hpp"
 #include "studies/scene_files/meshes/formats.hpp"
-#include "studies/scene_files/meshes/gltf_check.hpp"
 #include "tests/unit/studies/scene_files/mesh_samples.hpp"
 #include "tests/unit/studies/scene_files/sample_room.hpp"
 

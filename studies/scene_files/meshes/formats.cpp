@@ -1,5 +1,3 @@
-#include "studies/scene_files/meshes/mesh_kind.hpp"
-
 #include "studies/scene_files/meshes/formats.hpp"
 
 #include <algorithm>
@@ -17,11 +15,11 @@ bool begins_with_word(std::string_view beginning, std::string_view word) {
 using Recognises = bool (*)(std::string_view beginning, std::uint64_t size);
 
 constexpr std::array<std::pair<Recognises, MeshKind>, 7> kinds{{
-    {[](std::string_view beginning, std::uint64_t) { return is_vtk_legacy(beginning); },
+    {[](std::string_view beginning, std::uint64_t) { return beginning.starts_with("# vtk DataFile"); },
      {"a VTK file", ".vtk", read_vtk_legacy}},
     {[](std::string_view beginning, std::uint64_t) { return is_vtk_xml(beginning); },
      {"a VTK file in XML", ".vtu", read_vtk_xml}},
-    {[](std::string_view beginning, std::uint64_t) { return is_gmsh(beginning); },
+    {[](std::string_view beginning, std::uint64_t) { return beginning.starts_with("$MeshFormat"); },
      {"a mesh of gmsh", ".msh", read_gmsh}},
     {[](std::string_view beginning, std::uint64_t) { return beginning.starts_with("glTF"); },
      {"a binary glTF file", ".glb"}},
