@@ -46,6 +46,6 @@ bool names_energyplus(std::string_view name);
 std::string mesh_as_obj(const std::filesystem::path& file);
 
 /// @throws UserError where the content of a file that is not named so is that of a mesh
-void expect_no_mesh(const std::filesystem::path& file);
+void expect_no_mesh(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace ff::studies

@@ -14,11 +14,8 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -95,19 +92,6 @@ class ObjWriter {
     }
 };
 
-/// The first bytes of a file. @throws IoError where there are none
-std::string beginning_of(const std::filesystem::path& file) {
-    errno = 0;
-    std::ifstream in(file, std::ios::binary);
-    std::string beginning(meshes::bytes_that_tell, '\0');
-    in.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-    beginning.resize(static_cast<std::size_t>(in.gcount()));
-    if (beginning.empty())
-        throw IoError(fmt::format("{}: cannot be read ({}). Check the name and the permissions.", file.string(),
-                                  errno == 0 ? "empty" : std::generic_category().message(errno)));
-    return beginning;
-}
-
 [[noreturn]] void refuse_name(const std::string& file, const meshes::MeshKind& kind) {
     throw UserError(
         fmt::format("{}: {} by its content (its name says that it is something else). Rename it to end in "
@@ -115,8 +99,8 @@ std::string beginning_of(const std::filesystem::path& file) {
                     file, kind.name, kind.extension));
 }
 
-std::string gltf_as_obj(const std::string& file) {
-    meshes::expect_plain_gltf(file, read_bytes(file));
+std::string gltf_as_obj(const std::string& file, std::string_view bytes) {
+    meshes::expect_plain_gltf(file, bytes);
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* scene = importer.ReadFile(file, aiProcess_SortByPType | aiProcess_ValidateDataStructure);
@@ -134,17 +118,17 @@ std::string gltf_as_obj(const std::string& file) {
 
 }  // namespace
 
-void expect_no_mesh(const std::filesystem::path& file) {
-    if (!std::filesystem::is_regular_file(file) || std::filesystem::file_size(file) == 0) return;
-    if (const auto* const kind = meshes::mesh_kind(beginning_of(file), std::filesystem::file_size(file)))
-        refuse_name(file.string(), *kind);
+void expect_no_mesh(const std::filesystem::path& file, std::string_view bytes) {
+    if (!std::filesystem::is_regular_file(file)) return;
+    if (const auto* const kind = meshes::mesh_kind(bytes)) refuse_name(file.string(), *kind);
 }
 
 std::string mesh_as_obj(const std::filesystem::path& file) {
     const std::string name = file.string();
-    const std::string beginning = beginning_of(file);
-    const std::uint64_t size = std::filesystem::file_size(file);
-    const auto* kind = meshes::mesh_kind(beginning, size);
+    const std::string bytes = read_bytes(file);
+    if (bytes.empty())
+        throw IoError(fmt::format("{}: cannot be read (empty). Check the name and the permissions.", name));
+    const auto* kind = meshes::mesh_kind(bytes);
     if (kind == nullptr && has_extension(name, ".msh"))
         throw UserError(
             fmt::format("{}: no mesh of gmsh from version 2 on (it would begin with $MeshFormat). Save it "
@@ -159,9 +143,9 @@ std::string mesh_as_obj(const std::filesystem::path& file) {
     for (const std::string_view extension : {".stl", ".ply", ".off"}) {
         if (kind == nullptr && has_extension(name, extension)) kind = meshes::mesh_kind_named(extension);
     }
-    if (kind != nullptr && kind->read != nullptr) return kind->read(name, read_bytes(file)).as_obj();
+    if (kind != nullptr && kind->read != nullptr) return kind->read(name, bytes).as_obj();
     if (kind != nullptr && !has_extension(name, kind->extension)) refuse_name(name, *kind);
-    return gltf_as_obj(name);
+    return gltf_as_obj(name, bytes);
 }
 
 }  // namespace ff::studies

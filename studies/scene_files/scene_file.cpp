@@ -53,10 +53,10 @@ std::string scene_extensions_in_words() {
 
 std::string read_scene_file(const std::filesystem::path& file) {
     if (names_mesh(file.string())) return mesh_as_obj(file);
-    expect_no_mesh(file);
-    if (has_extension(file.string(), ".idf"))
-        return checked_text(energyplus::with_ascii_comments(read_bytes(file)), file, FileKind::scene);
-    return read_text_file(file, FileKind::scene);
+    std::string bytes = read_bytes(file);
+    expect_no_mesh(file, bytes);
+    if (has_extension(file.string(), ".idf")) bytes = energyplus::with_ascii_comments(std::move(bytes));
+    return checked_text(std::move(bytes), file, FileKind::scene);
 }
 
 bool names_mesh(std::string_view name) {

@@ -20,7 +20,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
     try {
         if (name == "a.vtk") {
-            const auto* const kind = ff::studies::meshes::mesh_kind(text, text.size());
+            const auto* const kind = ff::studies::meshes::mesh_kind(text);
             if (kind == nullptr || kind->read == nullptr) return 0;
             text = kind->read(name, text).as_obj();
         }

@@ -6,34 +6,30 @@
 namespace ff::studies::meshes {
 namespace {
 
-bool begins_with_word(std::string_view beginning, std::string_view word) {
+bool begins_with_word(std::string_view bytes, std::string_view word) {
     constexpr std::string_view blanks = " \t\r\n";
-    return beginning.starts_with(word) && beginning.size() > word.size() &&
-           blanks.find(beginning[word.size()]) != std::string_view::npos;
+    return bytes.starts_with(word) && bytes.size() > word.size() &&
+           blanks.find(bytes[word.size()]) != std::string_view::npos;
 }
 
-using Recognises = bool (*)(std::string_view beginning, std::uint64_t size);
+using Recognises = bool (*)(std::string_view bytes);
 
 constexpr std::array<std::pair<Recognises, MeshKind>, 7> kinds{{
-    {[](std::string_view beginning, std::uint64_t) { return beginning.starts_with("# vtk DataFile"); },
+    {[](std::string_view bytes) { return bytes.starts_with("# vtk DataFile"); },
      {"a VTK file", ".vtk", read_vtk_legacy}},
-    {[](std::string_view beginning, std::uint64_t) { return is_vtk_xml(beginning); },
-     {"a VTK file in XML", ".vtu", read_vtk_xml}},
-    {[](std::string_view beginning, std::uint64_t) { return beginning.starts_with("$MeshFormat"); },
-     {"a mesh of gmsh", ".msh", read_gmsh}},
-    {[](std::string_view beginning, std::uint64_t) { return beginning.starts_with("glTF"); },
-     {"a binary glTF file", ".glb"}},
-    {[](std::string_view beginning, std::uint64_t) { return begins_with_word(beginning, "ply"); },
-     {"a PLY file", ".ply", read_ply}},
-    {[](std::string_view beginning, std::uint64_t) { return is_off(beginning); }, {"an OFF file", ".off", read_off}},
+    {is_vtk_xml, {"a VTK file in XML", ".vtu", read_vtk_xml}},
+    {[](std::string_view bytes) { return bytes.starts_with("$MeshFormat"); }, {"a mesh of gmsh", ".msh", read_gmsh}},
+    {[](std::string_view bytes) { return bytes.starts_with("glTF"); }, {"a binary glTF file", ".glb"}},
+    {[](std::string_view bytes) { return begins_with_word(bytes, "ply"); }, {"a PLY file", ".ply", read_ply}},
+    {is_off, {"an OFF file", ".off", read_off}},
     {is_stl, {"an STL file", ".stl", read_stl}},
 }};
 
 }  // namespace
 
-const MeshKind* mesh_kind(std::string_view beginning, std::uint64_t size) {
+const MeshKind* mesh_kind(std::string_view bytes) {
     const auto* const found =
-        std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return kind.first(beginning, size); });
+        std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return kind.first(bytes); });
     return found == kinds.end() ? nullptr : &found->second;
 }
 

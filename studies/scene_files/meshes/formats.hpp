@@ -2,7 +2,6 @@
 
 #include "studies/scene_files/meshes/surface_mesh.hpp"
 
-#include <cstdint>
 #include <string_view>
 
 namespace ff::studies::meshes {
@@ -15,12 +14,8 @@ struct MeshKind {
     SurfaceMesh (*read)(std::string_view file, std::string_view bytes) = nullptr;
 };
 
-/// As many bytes tell what a file is.
-inline constexpr std::size_t bytes_that_tell = 65536;
-
-/// Null where the content does not tell.
-/// @param beginning  up to `bytes_that_tell` bytes  @param size  of the file
-const MeshKind* mesh_kind(std::string_view beginning, std::uint64_t size);
+/// Null where the content of a file does not tell.
+const MeshKind* mesh_kind(std::string_view bytes);
 
 /// What a file with that extension should be; null where no reader of the project's own has it.
 const MeshKind* mesh_kind_named(std::string_view extension);
@@ -41,8 +36,7 @@ SurfaceMesh read_vtk_xml(std::string_view file, std::string_view bytes);
 SurfaceMesh read_gmsh(std::string_view file, std::string_view bytes);
 
 /// STL in text or binary. Groups are the solids of a text.
-/// @param beginning  with all of the header  @param size  of the file, which tells a binary one
-bool is_stl(std::string_view beginning, std::uint64_t size);
+bool is_stl(std::string_view bytes);
 SurfaceMesh read_stl(std::string_view file, std::string_view bytes);
 
 /// PLY in text or binary: faces and strips of triangles.

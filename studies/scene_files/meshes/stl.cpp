@@ -109,11 +109,11 @@ SurfaceMesh read_binary_stl(std::string_view file, std::string_view bytes) {
 }
 
 /// A binary file has no mark, and may begin with `solid` too, but is as long as its number of triangles says.
-bool is_binary_stl(std::string_view beginning, std::uint64_t size) {
-    if (beginning.size() < stl_header + stl_count.bytes) return false;
-    auto input = MeshInput::part("", beginning.substr(stl_header), Encoding::little_endian);
+bool is_binary_stl(std::string_view bytes) {
+    if (bytes.size() < stl_header + stl_count.bytes) return false;
+    auto input = MeshInput::part("", bytes.substr(stl_header), Encoding::little_endian);
     const std::int64_t count = input.whole(stl_count);
-    return count > 0 && std::cmp_equal(size, count * stl_record + static_cast<std::int64_t>(stl_header) + 4);
+    return count > 0 && std::cmp_equal(input.left(), count * stl_record);
 }
 
 bool begins_with_solid(std::string_view bytes) {
@@ -124,9 +124,11 @@ bool begins_with_solid(std::string_view bytes) {
 
 }  // namespace
 
-bool is_stl(std::string_view beginning, std::uint64_t size) {
-    if (is_binary_stl(beginning, size)) return true;
-    return begins_with_solid(beginning) && small_letters(beginning).find("facet") != std::string::npos;
+bool is_stl(std::string_view bytes) {
+    constexpr std::size_t where_facets_begin = 65536;
+    if (is_binary_stl(bytes)) return true;
+    const std::string beginning = small_letters(bytes.substr(0, where_facets_begin));
+    return begins_with_solid(beginning) && beginning.find("facet") != std::string::npos;
 }
 
 SurfaceMesh read_stl(std::string_view file, std::string_view bytes) {

@@ -28,7 +28,7 @@ using testing::StartsWith;
 
 /// By its content. @throws UserError where it is none that the project reads
 std::string as_obj(const std::string& name, std::string_view bytes) {
-    const MeshKind* const kind = mesh_kind(bytes.substr(0, bytes_that_tell), bytes.size());
+    const MeshKind* const kind = mesh_kind(bytes);
     if (kind == nullptr || kind->read == nullptr) throw UserError("no such mesh");
     return kind->read(name, bytes).as_obj();
 }

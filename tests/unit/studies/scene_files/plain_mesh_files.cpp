@@ -93,7 +93,7 @@ TEST(StlFiles, HaveKeywordsInCapitalsToo) {
     const std::string text =
         "SOLID My Wall\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\nENDLOOP\nENDFACET\n"
         "ENDSOLID";
-    EXPECT_TRUE(is_stl(text, text.size()));
+    EXPECT_TRUE(is_stl(text));
     EXPECT_EQ(read_stl("a.stl", text).as_obj(), "v 0 0 0\nv 1 0 0\nv 0 1 0\ng My_Wall\nf 1 2 3\n");
 }
 
