@@ -1,9 +1,8 @@
-#include "studies/outside/command_estimator.hpp"
-
 #include "core/estimators/added.hpp"
 #include "core/support/error.hpp"
 #include "core/support/words.hpp"
 #include "samplers/outside/outside_points.hpp"
+#include "studies/outside/outside_code.hpp"
 #include "studies/readers/csv_reader.hpp"
 #include "studies/scene_files/scene_writer.hpp"
 

@@ -1,8 +1,7 @@
-#include "studies/outside/command_sampler.hpp"
-
 #include "core/support/error.hpp"
 #include "samplers/outside/added.hpp"
 #include "samplers/outside/outside_points.hpp"
+#include "studies/outside/outside_code.hpp"
 #include "studies/point_files/point_file.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/estimators/estimator.hpp"
 #include "samplers/sampler.hpp"
 #include "studies/outside/program.hpp"
 
@@ -30,6 +31,20 @@ std::vector<OutsideCode> outside_code(std::string_view text, std::string_view or
 /// @param folder  of the file @param deadline of a command, seconds per run
 /// @throws UserError, IoError
 void admit(const OutsideCode& code, const std::filesystem::path& folder, double deadline = usual_deadline);
+
+/// Adds a sampler whose sets a program prints, "command:./mine --n {n} --d {d} --seed {seed}"; it runs when points are
+/// requested. Its output is read like a file of points. An existing sampler of this name stays.
+/// @throws UserError, IoError as Program does
+const samplers::CatalogueEntry& load_command_sampler(std::string_view name, const std::filesystem::path& folder,
+                                                     double deadline = usual_deadline);
+
+/// Adds an estimator that is a program, "command:./mine {scene} {samples} {seed}". For every trial it receives the
+/// scene as a file and prints lines from,to,estimate: a form factor for every two faces, by name. `{scene}` is OBJ
+/// where all surfaces are polygons, else TOML; `{obj}`, `{toml}` and `{vs3}` have that format. Without `{samples}` it
+/// has no sizes; without `{seed}` and `{trial}` one trial. An existing estimator of this name stays.
+/// @throws UserError where the command does not name the scene, and as Program does; IoError
+const EstimatorEntry& load_command_estimator(std::string_view name, const std::filesystem::path& folder,
+                                             double deadline = usual_deadline);
 
 /// A sampler that a user names: from the catalogue or a loaded plug-in, points of a file, or a command.
 /// @throws UserError, IoError

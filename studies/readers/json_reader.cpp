@@ -7,11 +7,201 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 
 namespace ff::studies {
+namespace {
+
+/// Lines and columns of a text, fast where places are asked for from the first to the last.
+class Positions {
+  public:
+    explicit Positions(std::string_view text) : text_(text) {}
+
+    TextPosition of(std::size_t byte) {
+        if (byte < reached_) {
+            reached_ = 0;
+            position_ = {};
+        }
+        for (; reached_ < byte && reached_ < text_.size(); ++reached_) {
+            const bool new_line = text_[reached_] == '\n';
+            position_.line += new_line ? 1 : 0;
+            position_.column = new_line ? 1 : position_.column + 1;
+        }
+        return position_;
+    }
+
+  private:
+    std::string_view text_;
+    std::size_t reached_ = 0;
+    TextPosition position_;
+};
+
+/// Objects and lists within each other. No file of ours has more, and what reads and removes the tree recurses.
+constexpr std::size_t most_levels = 100;
+
+/// Reads the text and lets the builder see how far the parser has come: nlohmann's events carry no positions.
+class CountingIterator {
+  public:
+    // NOLINTBEGIN(readability-identifier-naming): names that the standard asks for
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+    // NOLINTEND(readability-identifier-naming)
+
+    CountingIterator(const char* at, const char** reached) : at_(at), reached_(reached) {}
+    reference operator*() const { return *at_; }
+    CountingIterator& operator++() {
+        ++at_;
+        *reached_ = at_;
+        return *this;
+    }
+    CountingIterator operator++(int) {
+        const CountingIterator before = *this;
+        ++*this;
+        return before;
+    }
+    bool operator==(const CountingIterator& other) const { return at_ == other.at_; }
+
+  private:
+    const char* at_;
+    const char** reached_;
+};
+
+/// Builds the tree from the parser's events.
+class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
+  public:
+    TreeBuilder(std::string_view text, std::string_view origin)
+        : text_(text), origin_(origin), positions_(text), reached_(text.data()) {}
+
+    const char** reached() { return &reached_; }
+    JsonValue take() { return std::move(root_); }
+
+    bool null() override { return add(token_start(), JsonValue::Kind::null); }
+    bool boolean(bool value) override { return add(token_start(), JsonValue::Kind::boolean, value ? 1 : 0); }
+    bool number_integer(number_integer_t value) override { return add_number(static_cast<double>(value)); }
+    bool number_unsigned(number_unsigned_t value) override { return add_number(static_cast<double>(value)); }
+    bool number_float(number_float_t value, const string_t& /*text*/) override { return add_number(value); }
+    bool binary(binary_t& /*value*/) override { return false; }
+    bool string(string_t& value) override { return add(string_start(), JsonValue::Kind::string, 0, std::move(value)); }
+    bool key(string_t& value) override {
+        const TextPosition position = positions_.of(string_start());
+        if (open_.back()->find(value) != nullptr) {
+            throw UserError(
+                fmt::format("{}the key \"{}\" stands twice in one object (only one could be used). "
+                            "Remove one.",
+                            describe(origin_, position), excerpt(value)));
+        }
+        key_ = std::move(value);
+        return true;
+    }
+    bool start_object(std::size_t /*size*/) override { return open(JsonValue::Kind::object); }
+    bool start_array(std::size_t /*size*/) override { return open(JsonValue::Kind::array); }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+    bool parse_error(std::size_t byte, const std::string& /*token*/,
+                     const nlohmann::detail::exception& error) override {
+        const std::string what = error.what();
+        const std::size_t colon = what.find(": ");  // drops the library's own prefix and position
+        throw UserError(fmt::format("{}this is not JSON ({}). Check quotes, commas and brackets here and just before.",
+                                    describe(origin_, positions_.of(byte == 0 ? 0 : byte - 1)),
+                                    excerpt(colon == std::string::npos ? what : what.substr(colon + 2))));
+    }
+
+  private:
+    [[nodiscard]] std::size_t consumed() const { return static_cast<std::size_t>(reached_ - text_.data()); }
+
+    /// The parser stands just behind a string's closing quote.
+    [[nodiscard]] std::size_t string_start() const {
+        std::size_t at = consumed() - 1;
+        while (at > 0) {
+            --at;
+            if (text_[at] != '"') continue;
+            std::size_t backslashes = 0;
+            while (backslashes < at && text_[at - 1 - backslashes] == '\\') ++backslashes;
+            if (backslashes % 2 == 0) break;
+        }
+        return at;
+    }
+
+    /// The parser stands on or just behind the last letter of a number or word.
+    [[nodiscard]] std::size_t token_start() const {
+        constexpr std::string_view letters = "+-.0123456789abcdefghijklmnopqrstuvwxyzE";
+        std::size_t at = consumed();
+        if (at > 0 && letters.find(text_[at - 1]) == std::string_view::npos) --at;
+        while (at > 0 && letters.find(text_[at - 1]) != std::string_view::npos) --at;
+        return at;
+    }
+
+    JsonValue& place(std::size_t start, JsonValue::Kind kind) {
+        JsonValue value;
+        value.kind = kind;
+        value.position = positions_.of(start);
+        if (open_.empty()) {
+            root_ = std::move(value);
+            return root_;
+        }
+        JsonValue& parent = *open_.back();
+        if (parent.kind == JsonValue::Kind::object) parent.keys.push_back(std::move(key_));
+        return parent.items.emplace_back(std::move(value));
+    }
+    bool add(std::size_t start, JsonValue::Kind kind, double number = 0, std::string text = {}) {
+        JsonValue& value = place(start, kind);
+        value.number = number;
+        value.text = std::move(text);
+        return true;
+    }
+    bool add_number(double value) { return add(token_start(), JsonValue::Kind::number, value); }
+    bool open(JsonValue::Kind kind) {
+        if (open_.size() >= most_levels) {
+            throw UserError(
+                fmt::format("{}more than {} objects and lists within each other (no file of this program has "
+                            "more). Close some.",
+                            describe(origin_, positions_.of(consumed() - 1)), most_levels));
+        }
+        open_.push_back(&place(consumed() - 1, kind));
+        return true;
+    }
+    bool close() {
+        open_.pop_back();
+        return true;
+    }
+
+    std::string_view text_;
+    std::string_view origin_;
+    Positions positions_;
+    const char* reached_;
+    JsonValue root_;
+    std::vector<JsonValue*> open_;  ///< valid: a container grows only while none of its children is open
+    std::string key_;
+};
+
+}  // namespace
+
+const JsonValue* JsonValue::find(std::string_view key) const {
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        if (keys[k] == key) return &items[k];
+    }
+    return nullptr;
+}
+
+std::string describe(std::string_view origin, TextPosition position) {
+    return fmt::format("{}:{}:{}: ", origin, position.line, position.column);
+}
+
+JsonValue parse_json(std::string_view text, std::string_view origin) {
+    TreeBuilder builder(text, origin);
+    const CountingIterator first(text.data(), builder.reached());
+    const CountingIterator last(text.data() + text.size(), builder.reached());
+    nlohmann::json::sax_parse(first, last, &builder);
+    return builder.take();
+}
 
 using Kind = JsonValue::Kind;
 

@@ -1,6 +1,6 @@
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
-#include "studies/readers/json_document.hpp"
+#include "studies/readers/json_reader.hpp"
 #include "studies/scene_files/energyplus/input_file.hpp"
 
 #include <fmt/format.h>

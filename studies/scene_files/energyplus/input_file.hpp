@@ -1,7 +1,5 @@
 #pragma once
 
-#include "studies/scene_files/energyplus/schema.hpp"
-
 #include <array>
 #include <cstdint>
 #include <map>
@@ -10,6 +8,16 @@
 #include <vector>
 
 namespace ff::studies::energyplus {
+
+/// What follows the fields of a class: rectangles have an origin and sizes instead of vertices, and are refused.
+enum class Shape { none, polygon, rectangle };
+
+/// A class of objects, with the names of its fields in the order of the IDF format.
+struct Class {
+    std::string_view name;
+    std::string_view fields;
+    Shape shape = Shape::none;
+};
 
 /// A value of an object, as text whatever the file's format.
 struct Field {

@@ -1,8 +1,6 @@
 #include "studies/outside/outside_code.hpp"
 
 #include "core/support/error.hpp"
-#include "studies/outside/command_estimator.hpp"
-#include "studies/outside/command_sampler.hpp"
 #include "studies/spec/spec.hpp"
 #include "tests/support/studies.hpp"
 

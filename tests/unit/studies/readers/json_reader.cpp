@@ -1,4 +1,4 @@
-#include "studies/readers/json_document.hpp"
+#include "studies/readers/json_reader.hpp"
 
 #include "core/support/error.hpp"
 #include "tests/support/studies.hpp"
