@@ -22,7 +22,6 @@ namespace ff::studies {
 namespace {
 
 using Eigen::Vector3d;
-using energyplus::in_small_letters;
 using energyplus::Object;
 
 constexpr std::string_view windows_class = "fenestrationsurface:detailed";

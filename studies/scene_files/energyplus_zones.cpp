@@ -2,6 +2,7 @@
 
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
+#include "core/support/words.hpp"
 #include "studies/scene_files/vs3_surface.hpp"
 
 #include <fmt/format.h>
@@ -90,7 +91,7 @@ void EnergyPlusZones::read_zone(const Object& object) {
 }
 
 void EnergyPlusZones::choose(const std::string& wanted, const std::vector<Object>& objects) {
-    const std::string key = energyplus::in_small_letters(wanted);
+    const std::string key = in_small_letters(wanted);
     if (const auto zone = zones_.find(key); zone != zones_.end()) {
         zone_ = key;
         chosen_ = zone->second.name;

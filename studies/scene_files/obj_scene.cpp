@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -153,8 +152,7 @@ class ObjReader {
     void read_comment(std::string comment) {
         if (comment.starts_with(meshes::note_on_mesh))
             return builder_.remark(comment.substr(meshes::note_on_mesh.size()));
-        std::transform(comment.begin(), comment.end(), comment.begin(),
-                       [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+        comment = in_small_letters(comment);
         closed_ = closed_ || comment == closed_scene;
         for (const std::string_view by : obj_faces) {
             if (comment == fmt::format("faces {}", by)) faces_ = by;

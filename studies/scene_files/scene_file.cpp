@@ -3,6 +3,7 @@
 #include "core/configurations/built_in_scene.hpp"
 #include "core/support/contract.hpp"
 #include "core/support/error.hpp"
+#include "core/support/words.hpp"
 #include "core/visibility/mirrors.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/scene_files/energyplus/input_file.hpp"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <utility>
 
 namespace ff::studies {
@@ -41,10 +41,7 @@ SceneWithMaterials scene_without_mirrors(const SceneSource& source) {
 }  // namespace
 
 bool has_extension(std::string_view name, std::string_view extension) {
-    if (name.size() < extension.size()) return false;
-    return std::equal(
-        extension.begin(), extension.end(), name.end() - static_cast<std::ptrdiff_t>(extension.size()),
-        [](char wanted, char given) { return wanted == std::tolower(static_cast<unsigned char>(given)); });
+    return in_small_letters(name).ends_with(extension);
 }
 
 std::string scene_extensions_in_words() {

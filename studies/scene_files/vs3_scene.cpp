@@ -25,11 +25,6 @@ char upper(char c) {
     return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
 }
 
-bool is_word(std::string_view word, std::string_view wanted) {
-    return std::equal(word.begin(), word.end(), wanted.begin(), wanted.end(),
-                      [](char a, char b) { return upper(a) == upper(b); });
-}
-
 class Vs3Reader {
   public:
     explicit Vs3Reader(std::string_view name) : builder_(name) {}
@@ -119,7 +114,7 @@ class Vs3Reader {
     }
 
     void read_format(std::uint64_t line, const LineWords& words) {
-        places_shapes_ = words.size() > 1 && is_word(words[1], "3a");
+        places_shapes_ = words.size() > 1 && in_small_letters(words[1]) == "3a";
         if (places_shapes_ || (words.size() > 1 && words[1] == "3")) return;
         builder_.fail(line,
                       "only three-dimensional geometry is read (F 3 or F 3a). Give surfaces in three dimensions.");
@@ -206,22 +201,21 @@ class Vs3Reader {
 
     /// Words and values with blanks, commas or = between them.
     void read_control(std::uint64_t line, const LineWords& words) {
-        constexpr std::array<std::string_view, 12> passed_over{"eps",  "list", "out", "emit", "maxU", "maxO",
-                                                               "minO", "row",  "col", "prjD", "maxV", "encl"};
+        constexpr std::array<std::string_view, 12> known{"eps",  "list", "out", "emit", "maxu", "maxo",
+                                                         "mino", "row",  "col", "prjd", "maxv", "encl"};
         const std::string all = fmt::format("{}", fmt::join(words.begin() + 1, words.end(), " "));
         const auto parts = split_words(all, " =,");
         for (std::size_t k = 0; k < parts.size(); k += 2) {
             const std::string_view word = parts[k];
             const auto value = k + 1 < parts.size() ? finite_number(parts[k + 1]) : std::nullopt;
-            const bool is_known = std::any_of(passed_over.begin(), passed_over.end(),
-                                              [&](std::string_view known) { return is_word(word, known); });
-            if (!is_known) {
+            const std::string small = in_small_letters(word);
+            if (std::find(known.begin(), known.end(), small) == known.end()) {
                 builder_.remark(
                     fmt::format("control word '{}' (line {}) is unknown and is passed over", excerpt(word), line));
             } else if (!value) {
                 builder_.fail(
                     line, fmt::format("control word '{}' has no number. Write {}=1.", excerpt(word), excerpt(word)));
-            } else if (is_word(word, "encl")) {
+            } else if (small == "encl") {
                 closed_ = *value != 0;
             }
         }

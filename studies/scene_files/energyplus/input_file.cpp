@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace ff::studies::energyplus {
 namespace {
@@ -83,12 +82,6 @@ double number_of_field(std::string_view file, const Field& field, std::string_vi
                 fmt::format("{} is {}, not a finite number. Correct it.", what,
                             field.text.empty() ? "blank" : fmt::format("'{}'", excerpt(field.text))));
     return *value;
-}
-
-std::string in_small_letters(std::string_view text) {
-    std::string small(text);
-    std::transform(small.begin(), small.end(), small.begin(), [](unsigned char c) { return std::tolower(c); });
-    return small;
 }
 
 const Class* class_named(std::string_view name) {

@@ -52,8 +52,6 @@ double number_of_field(std::string_view file, const Field& field, std::string_vi
 inline constexpr std::string_view without_version =
     "no Version object: fields are taken as those of version 9.6 and later";
 
-std::string in_small_letters(std::string_view text);
-
 /// The class of that name, in letters of either case; null for one that does not matter here.
 const Class* class_named(std::string_view name);
 

@@ -114,13 +114,18 @@ std::string_view MeshInput::word() {
     return next;
 }
 
-std::uint64_t MeshInput::count() {
+template <class Number>
+Number MeshInput::number_in_text(std::string_view problem) {
     skip_blanks();
     const std::string_view text = next_word();
-    const auto value = parse_number<std::uint64_t>(text);
-    if (!value && !text.empty()) fail(fmt::format("'{}' is no number of things. Correct it.", excerpt(text)));
+    const auto value = parse_number<Number>(text);
+    if (!value && !text.empty()) fail(fmt::format("'{}' {}", excerpt(text), problem));
     static_cast<void>(word());
     return value.value_or(0);
+}
+
+std::uint64_t MeshInput::count() {
+    return number_in_text<std::uint64_t>("is no number of things. Correct it.");
 }
 
 void MeshInput::skip_past(std::string_view text) {
@@ -151,12 +156,7 @@ std::array<char, 8> MeshInput::binary(NumberType type) {
 
 double MeshInput::real(NumberType type) {
     if (encoding_ != Encoding::text) return real_of(binary(type), type);
-    skip_blanks();
-    const std::string_view text = next_word();
-    const auto value = parse_number<double>(text);
-    if (!value && !text.empty()) fail(fmt::format("'{}' is not a number in double precision.", excerpt(text)));
-    static_cast<void>(word());
-    return value.value_or(0);
+    return number_in_text<double>("is not a number in double precision.");
 }
 
 double MeshInput::coordinate(NumberType type) {
@@ -174,12 +174,7 @@ Eigen::Vector3d MeshInput::place(NumberType type) {
 std::int64_t MeshInput::whole(NumberType type) {
     if (!type.is_whole()) fail("its numbers are of a type with fractions, and have to be whole.");
     if (encoding_ != Encoding::text) return whole_of(binary(type), type);
-    skip_blanks();
-    const std::string_view text = next_word();
-    const auto value = parse_number<std::int64_t>(text);
-    if (!value && !text.empty()) fail(fmt::format("'{}' is not a whole number of up to 64 bits.", excerpt(text)));
-    static_cast<void>(word());
-    return value.value_or(0);
+    return number_in_text<std::int64_t>("is not a whole number of up to 64 bits.");
 }
 
 void MeshInput::expect_room(std::uint64_t tuples, std::uint64_t components, std::size_t bytes) const {

@@ -96,6 +96,9 @@ class MeshInput {
     std::size_t at_ = 0;
 
     void skip_blanks();
+    /// @param problem  with a word that is no such number
+    template <class Number>
+    Number number_in_text(std::string_view problem);
     /// The bytes of a binary number, those of least value first.
     std::array<char, 8> binary(NumberType type);
 };

@@ -1,4 +1,5 @@
 #include "core/support/excerpt.hpp"
+#include "core/support/words.hpp"
 #include "studies/scene_files/meshes/formats.hpp"
 #include "studies/scene_files/meshes/mesh_input.hpp"
 
@@ -6,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 #include <utility>
 
@@ -20,13 +20,6 @@ constexpr std::int64_t stl_record = 50;  // bytes: a normal, three corners, two 
 constexpr std::size_t stl_normal = 12;
 constexpr NumberType stl_count{NumberType::Kind::natural, 4};
 constexpr NumberType stl_float{NumberType::Kind::real, 4};
-
-std::string small_letters(std::string_view text) {
-    std::string small(text);
-    std::transform(small.begin(), small.end(), small.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return small;
-}
 
 /// A polygon of the last three points: triangles of STL share none.
 void add_triangle(SurfaceMesh& mesh, std::string_view group) {
@@ -49,7 +42,7 @@ class StlTextReader {
     MeshInput in_;
     SurfaceMesh mesh_;
 
-    [[nodiscard]] bool follows(std::string_view keyword) const { return small_letters(in_.next_word()) == keyword; }
+    [[nodiscard]] bool follows(std::string_view keyword) const { return in_small_letters(in_.next_word()) == keyword; }
 
     void expect(std::string_view keyword) {
         if (!in_.at_end() && !follows(keyword))
@@ -119,7 +112,7 @@ bool is_binary_stl(std::string_view bytes) {
 bool begins_with_solid(std::string_view bytes) {
     constexpr std::string_view solid = "solid";
     const std::size_t begin = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
-    return small_letters(bytes.substr(begin, solid.size())) == solid;
+    return in_small_letters(bytes.substr(begin, solid.size())) == solid;
 }
 
 }  // namespace
@@ -127,7 +120,7 @@ bool begins_with_solid(std::string_view bytes) {
 bool is_stl(std::string_view bytes) {
     constexpr std::size_t where_facets_begin = 65536;
     if (is_binary_stl(bytes)) return true;
-    const std::string beginning = small_letters(bytes.substr(0, where_facets_begin));
+    const std::string beginning = in_small_letters(bytes.substr(0, where_facets_begin));
     return begins_with_solid(beginning) && beginning.find("facet") != std::string::npos;
 }
 

@@ -1,4 +1,5 @@
 #include "core/support/excerpt.hpp"
+#include "core/support/words.hpp"
 #include "studies/scene_files/meshes/formats.hpp"
 #include "studies/scene_files/meshes/mesh_input.hpp"
 #include "studies/scene_files/meshes/vtk_cells.hpp"
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
 #include <optional>
 #include <string>
@@ -20,12 +20,6 @@ namespace ff::studies::meshes {
 namespace {
 
 constexpr NumberType byte_type{NumberType::Kind::natural, 1};
-
-std::string capitals(std::string_view word) {
-    std::string text(word);
-    for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    return text;
-}
 
 /// A name of an array, in which blanks and others stand as %20.
 std::string decoded_name(std::string_view word) {
@@ -49,12 +43,12 @@ class LegacyReader {
         in_.line();  // that tells the version: what differs is seen where it differs
         in_.line();  // a title
         in_.set_section("header");
-        const std::string encoding = capitals(in_.line());
+        const std::string encoding = in_capitals(in_.line());
         if (encoding != "ASCII" && encoding != "BINARY")
             in_.fail(fmt::format("the third line is '{}', not ASCII or BINARY. Correct it.", excerpt(encoding)));
         if (encoding == "BINARY") in_.set_encoding(Encoding::big_endian);
         while (!in_.at_end()) {
-            const std::string keyword = capitals(in_.word());
+            const std::string keyword = in_capitals(in_.word());
             in_.set_section(keyword);
             read_section(keyword);
         }
@@ -84,7 +78,7 @@ class LegacyReader {
             if (sections[i].first == keyword) return read_connections(of_sections_[i]);
         }
         if (keyword == "DATASET") {
-            const std::string kind = capitals(in_.word());
+            const std::string kind = in_capitals(in_.word());
             if (kind != "POLYDATA" && kind != "UNSTRUCTURED_GRID")
                 in_.fail(
                     fmt::format("'{}' is not read (POLYDATA and UNSTRUCTURED_GRID are). Extract the surface, as "
@@ -111,7 +105,7 @@ class LegacyReader {
     }
 
     NumberType type(std::string_view name) const {
-        const auto known = number_type_named(capitals(name), &NumberTypeNames::vtk_legacy);
+        const auto known = number_type_named(in_capitals(name), &NumberTypeNames::vtk_legacy);
         if (!known) in_.fail(fmt::format("numbers of type '{}' are not read. Leave them out.", excerpt(name)));
         return *known;
     }
@@ -132,7 +126,7 @@ class LegacyReader {
         in_.line();
         cells.points.clear();
         cells.ends.clear();
-        if (capitals(in_.next_word()) == "OFFSETS") return read_offsets(cells, count, size);
+        if (in_capitals(in_.next_word()) == "OFFSETS") return read_offsets(cells, count, size);
         const std::vector<std::int64_t> values = in_.wholes(int32_type, size, 1);
         for (std::size_t at = 0; at < values.size();) {
             const std::int64_t points = values[at++];
@@ -155,7 +149,7 @@ class LegacyReader {
     }
 
     std::vector<std::int64_t> read_named(std::string_view name, std::uint64_t count) {
-        if (capitals(in_.next_word()) != name)
+        if (in_capitals(in_.next_word()) != name)
             in_.fail(fmt::format("'{}' stands where {} is expected. Correct it.", excerpt(in_.next_word()), name));
         static_cast<void>(in_.word());
         const NumberType whole = type(in_.word());
@@ -175,7 +169,7 @@ class LegacyReader {
         const std::uint64_t arrays = in_.count();
         for (std::uint64_t i = 0; i < arrays; ++i) {
             std::string name(in_.word());
-            while (capitals(name) == "METADATA") {
+            while (in_capitals(name) == "METADATA") {
                 skip_metadata();
                 name = in_.word();
             }
@@ -221,7 +215,7 @@ class LegacyReader {
             components = in_.count();
             in_.line();
         }
-        if (capitals(in_.next_word()) == "LOOKUP_TABLE") in_.line();
+        if (in_capitals(in_.next_word()) == "LOOKUP_TABLE") in_.line();
         read_array(name, number_type, owned_, components);
     }
 
@@ -248,7 +242,7 @@ class LegacyReader {
                     std::uint64_t components) {
         const std::string name = decoded_name(word);
         const bool is_of_cells = owner_ == Owner::cells;
-        if (capitals(type_name) == "STRING") {
+        if (in_capitals(type_name) == "STRING") {
             in_.expect_room(tuples, components, 1);
             std::vector<std::string> texts;
             for (std::uint64_t i = 0; i < tuples * components; ++i) texts.push_back(as_word(text()));
