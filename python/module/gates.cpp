@@ -6,7 +6,7 @@
 #include "reports/terminal/gates_terminal.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/verdicts/bands_file.hpp"
-#include "studies/verdicts/check_results.hpp"
+#include "studies/verdicts/gate_result.hpp"
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>

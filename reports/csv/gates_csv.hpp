@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studies/verdicts/check_results.hpp"
+#include "studies/verdicts/gate_result.hpp"
 #include "studies/verdicts/seed_sweep.hpp"
 
 #include <ostream>

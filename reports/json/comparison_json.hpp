@@ -1,7 +1,7 @@
 #pragma once
 
 #include "reports/json/json_values.hpp"
-#include "studies/verdicts/check_results.hpp"
+#include "studies/verdicts/gate_result.hpp"
 
 namespace ff::reports {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "reports/text/colour.hpp"
-#include "studies/verdicts/check_results.hpp"
+#include "studies/verdicts/gate_result.hpp"
 #include "studies/verdicts/reported/estimate_gates.hpp"
 #include "studies/verdicts/seed_sweep.hpp"
 

@@ -3,7 +3,6 @@
 #include "core/patches/face_averages.hpp"
 #include "core/radiosity/patch_factors.hpp"
 #include "core/support/contract.hpp"
-#include "studies/run/interruptible_points.hpp"
 #include "studies/run/work.hpp"
 
 #include <utility>
@@ -64,8 +63,7 @@ Eigen::MatrixXd trace_patch_factors(const StudyPlan& plan, std::size_t index, st
     const Scene& scene = plan.scenes[cell.scene];
     const Method& method = plan.spec.methods[cell.method];
     const auto number = static_cast<std::uint32_t>(trial);
-    auto points = make_points(method, cell);
-    if (stop != nullptr) points = interruptible(std::move(points), *stop);
+    const auto points = make_points(method, cell, stop);
     if (estimator_info(method).patch_factors == PatchFactors::kernels)
         return kernel_patch_factors(scene, cell.subdivision, *points, method.map, cell.key, number);
     return shoot_patch_factors(scene, cell.subdivision, *make_tracer(scene, method.tracer), *points,

@@ -3,6 +3,7 @@
 #include "studies/verdicts/gate.hpp"
 #include "studies/verdicts/verdict.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -41,6 +42,17 @@ struct GateResult {
     std::size_t compared = 0;       ///< bins behind the verdict, where only the worst are among the comparisons
     std::vector<std::uint64_t> scores =
         {};  ///< counts of bins by standardised difference (reported_bins.hpp: count_scores)
+};
+
+/// The finished gates of a file; every report is made from it.
+struct CheckResults {
+    Spec spec;
+    std::vector<GateResult> results;  ///< in the order of completion; found by name
+
+    [[nodiscard]] bool complete() const { return results.size() == spec.gates.size(); }
+    [[nodiscard]] std::size_t count(Verdict verdict) const;
+    /// The verdict of all gates together; those that have not run are inconclusive.
+    [[nodiscard]] Verdict verdict() const;
 };
 
 /// The joint verdict of its comparisons; a gate without any is inconclusive.

@@ -36,9 +36,14 @@ struct Measurement {
 };
 
 /// By the rule of every gate (stats/gates/gate_verdict.hpp); inconclusive without a measurement.
-Verdict judge(const std::optional<Measurement>& measurement, const Band& band);
+inline Verdict judge(const std::optional<Measurement>& measurement, const Band& band) {
+    return measurement ? gate::judge(measurement->passing, measurement->failing, band) : Verdict::inconclusive;
+}
 
 /// One verdict for several comparisons: fail if one fails, pass if all pass.
-Verdict together(Verdict a, Verdict b);
+constexpr Verdict together(Verdict a, Verdict b) {
+    if (a == Verdict::fail || b == Verdict::fail) return Verdict::fail;
+    return a == Verdict::pass && b == Verdict::pass ? Verdict::pass : Verdict::inconclusive;
+}
 
 }  // namespace ff::studies::gates

@@ -8,7 +8,7 @@
 #include "studies/gates/gate_plan.hpp"
 #include "studies/gates/gate_run.hpp"
 #include "studies/verdicts/bands_file.hpp"
-#include "studies/verdicts/check_results.hpp"
+#include "studies/verdicts/gate_result.hpp"
 #include "tests/fuzz/no_number.hpp"
 #include "tests/fuzz/one_input.hpp"
 
