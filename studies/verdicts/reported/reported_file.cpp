@@ -105,7 +105,7 @@ class RowReader {
         }
         if (header_[run]) {
             const auto number_of_run = parse_bare_number<std::uint64_t>(cell(record, run));
-            if (!number_of_run) fail(record, run, "not a whole number from 0 up). Number the runs 0, 1, 2, ...");
+            if (!number_of_run) fail(record, run, "not a whole number from 0 up). Number the runs 0, 1, 2, ..");
             row.run = *number_of_run;
         }
         return row;

@@ -71,5 +71,10 @@ TEST(ParseReported, RefusesAnEmptyComparison) {
     EXPECT_THAT(refusal_of_reported_file("quantity,mean,standard_error\n"), HasSubstr("nothing would be compared"));
 }
 
+TEST(ParseReported, SaysHowRunsAreNumbered) {
+    EXPECT_THAT(refusal_of_reported_file("quantity,mean,standard_error,run\na,1,0.1,first\n"),
+                testing::EndsWith("run = 'first' (not a whole number from 0 up). Number the runs 0, 1, 2, ..."));
+}
+
 }  // namespace
 }  // namespace ff::studies::gates
