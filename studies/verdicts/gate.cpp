@@ -21,6 +21,11 @@ Levels levels_of(const Spec& spec, std::size_t comparisons) {
     return {.fail_alpha = shared, .pass_alpha = spec.pass_alpha / static_cast<double>(spec.looks), .power = spec.power};
 }
 
+Levels levels_at_one_look(Spec spec, std::size_t comparisons) {
+    spec.looks = 1;
+    return levels_of(spec, comparisons);
+}
+
 bool is_binomial(IntervalMethod method) {
     return method == IntervalMethod::wilson || method == IntervalMethod::clopper_pearson ||
            method == IntervalMethod::wald;

@@ -136,6 +136,9 @@ struct Spec {
 /// @throws UserError where alpha is shared among so many that each would be below smallest_shared_alpha
 Levels levels_of(const Spec& spec, std::size_t comparisons);
 
+/// The same where nothing can be added to the data, as to a file, so that there is one look only.
+Levels levels_at_one_look(Spec spec, std::size_t comparisons);
+
 }  // namespace ff::studies::gates
 
 namespace ff::studies {

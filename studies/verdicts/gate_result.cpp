@@ -28,6 +28,14 @@ double strain(const Comparison& comparison) {
 
 }  // namespace
 
+GateResult result_of(const Gate& gate, const Comparison& comparison) {
+    return {.gate = gate.name,
+            .kind = gate.kind,
+            .verdict = comparison.verdict,
+            .comparisons = {comparison},
+            .note = comparison.note};
+}
+
 Verdict verdict_of(const std::vector<Comparison>& comparisons) {
     if (comparisons.empty()) return Verdict::inconclusive;
     Verdict verdict = Verdict::pass;

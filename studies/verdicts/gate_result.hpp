@@ -44,6 +44,9 @@ struct GateResult {
         {};  ///< counts of bins by standardised difference (reported_bins.hpp: count_scores)
 };
 
+/// The result of a gate that makes one comparison, at its only look.
+GateResult result_of(const Gate& gate, const Comparison& comparison);
+
 /// The finished gates of a file; every report is made from it.
 struct CheckResults {
     Spec spec;

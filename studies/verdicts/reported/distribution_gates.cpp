@@ -1,14 +1,15 @@
 #include "studies/verdicts/reported/distribution_gates.hpp"
 
-#include "core/support/error.hpp"
 #include "stats/goodness_of_fit/anderson_darling.hpp"
 #include "stats/shares/count_distance.hpp"
+#include "studies/verdicts/at_gate.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -60,9 +61,9 @@ double dkw_reach(std::size_t n, double alpha, std::size_t samples) {
 
 std::vector<double> numbers_of_bins(const Gate& gate, const Bins& bins) {
     if (bins.runs != 1)
-        throw UserError(
-            fmt::format("{}: counts of {} runs (of several runs their sum is judged). Add them up for each bin.",
-                        gate.place, bins.runs));
+        refuse_gate(gate,
+                    fmt::format("counts of {} runs (of several runs their sum is judged). Add them up for each bin.",
+                                bins.runs));
     std::vector<double> numbers;
     numbers.reserve(bins.count());
     for (const ReportedRow& row : bins.rows) numbers.push_back(row.mean);
@@ -70,9 +71,7 @@ std::vector<double> numbers_of_bins(const Gate& gate, const Bins& bins) {
 }
 
 double sum_of(const std::vector<double>& values) {
-    double sum = 0;
-    for (const double value : values) sum += value;
-    return sum;
+    return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
 /// The bins that differ most, in standard errors; in words. Bins that were pooled are left out: a single event may be
@@ -141,23 +140,21 @@ GateResult judge_counts(const Spec& spec, const Gate& gate, const Bins& bins, co
     const auto counts = numbers_of_bins(gate, bins);
     auto others = numbers_of_bins(gate, against);
     if (sum_of(counts) == 0 || sum_of(others) == 0)
-        throw UserError(
-            fmt::format("{}: no counts of '{}' (nothing would be compared). Run longer.", gate.place, gate.quantity));
+        refuse_gate(gate, fmt::format("no counts of '{}' (nothing would be compared). Run longer.", gate.quantity));
     if (are_shares) {
         const double whole = sum_of(others);
         constexpr double rounding = 1e-3;
         if (std::abs(whole - 1) > rounding)
-            throw UserError(fmt::format(
-                "{}: the shares of '{}' in {} add up to {:.6g} (those of all bins are 1). Add the missing bins.",
-                gate.place, gate.quantity, against.file->origin, whole));
+            refuse_gate(gate,
+                        fmt::format("the shares of '{}' in {} add up to {:.6g} (those of all bins are 1). Add the "
+                                    "missing bins.",
+                                    gate.quantity, against.file->origin, whole));
         for (double& share : others) share /= whole;
     }
-    Spec one_look = spec;  // nothing can be added to a file
-    one_look.looks = 1;
     Comparison row;
     row.quantity = gate.quantity;
     row.band = gate.band;
-    row.levels = levels_of(one_look, 1);
+    row.levels = levels_at_one_look(spec, 1);
     row.trials = static_cast<std::uint64_t>(sum_of(counts));
     row.unit = "event";
     const auto found =
@@ -185,13 +182,7 @@ GateResult judge_counts(const Spec& spec, const Gate& gate, const Bins& bins, co
             counts.size(), found->freedom + 1, found->statistic, stats::p_above(*found, 0),
             worst_bins(bins, counts, others, are_shares));
     }
-    return {.gate = gate.name,
-            .kind = gate.kind,
-            .verdict = row.verdict,
-            .comparisons = {row},
-            .looks = 1,
-            .evaluations = 0,
-            .note = row.note};
+    return result_of(gate, row);
 }
 
 }  // namespace ff::studies::gates

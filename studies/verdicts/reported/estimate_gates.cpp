@@ -207,15 +207,10 @@ void add_other(const Gate& gate, const EstimatesFile& against, ExaminedSeries& e
     examined.other = find_series(against, gate.quantity, gate.place);
     const auto second = examine_independence(*examined.other, against.origin);
     if (examined.other->values == examined.series.values)
-        throw UserError(
-            fmt::format("{}: '{}' has the same values in both files (a file is equal to itself; that shows nothing). "
-                        "Compare runs with random numbers of their own.",
-                        gate.place, gate.quantity));
+        refuse_gate(gate, fmt::format("'{}' has the same values in both files (a file is equal to itself; that shows "
+                                      "nothing). Compare runs with random numbers of their own.",
+                                      gate.quantity));
     if (!examined.independence.correlation && second.correlation) examined.independence = second;
-}
-
-std::uint64_t trials_for_distribution(const Gate& gate, const ExaminedSeries& examined) {
-    return values_for_distance(gate.band.high, examined.levels, examined.other ? 2 : 1);
 }
 
 /// Where tails are long, squares are more skewed than trials show, and their mean too small too often: half the risk
@@ -233,9 +228,7 @@ ExaminedSeries examine(const Spec& spec, const Gate& gate, const EstimatesFile& 
         refuse_gate(gate, "kurtosis is for means with standard errors (trials show theirs). Remove the key.");
     if (gate.anytime == Anytime::bounded) expect_bounded(gate, examined.series, file.origin);
     examined.independence = examine_independence(examined.series, file.origin);
-    Spec one_look = spec;  // nothing can be added to a file
-    one_look.looks = 1;
-    examined.levels = levels_of(one_look, 1);
+    examined.levels = levels_at_one_look(spec, 1);
     if (gate.kind == GateKind::std && has_long_tails(examined.series.values)) examined.levels.pass_alpha /= 2;
     if (gate.kind == GateKind::distribution) {
         if (!gate.law) add_other(gate, *against, examined);
@@ -274,7 +267,7 @@ EstimatesPlan plan_estimates(const Spec& spec, const Gate& gate, const Estimates
     const ExaminedSeries examined = examine(spec, gate, file, against);
     EstimatesPlan plan{.gate = gate.name, .kind = gate.kind, .at_hand = examined.series.values.size()};
     if (gate.kind == GateKind::distribution) {
-        plan.needed = trials_for_distribution(gate, examined);
+        plan.needed = values_for_distance(gate.band.high, examined.levels, examined.other ? 2 : 1);
         return plan;
     }
     const auto needed = gate.kind == GateKind::std ? trials_for_spread(gate, examined)
@@ -305,13 +298,7 @@ GateResult judge_estimates(const Spec& spec, const Gate& gate, const EstimatesFi
         const std::string open = missing(gate, examined, row);
         row.note += row.note.empty() || open.empty() ? open : "; " + open;
     }
-    return {.gate = gate.name,
-            .kind = gate.kind,
-            .verdict = row.verdict,
-            .comparisons = {row},
-            .looks = 1,
-            .evaluations = 0,
-            .note = row.note};
+    return result_of(gate, row);
 }
 
 }  // namespace ff::studies::gates

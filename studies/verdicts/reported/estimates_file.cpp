@@ -1,18 +1,13 @@
 #include "studies/verdicts/reported/estimates_file.hpp"
 
 #include "core/support/error.hpp"
-#include "core/support/excerpt.hpp"
-#include "core/support/words.hpp"
-#include "studies/readers/csv_reader.hpp"
 #include "studies/readers/text_file.hpp"
-#include "studies/verdicts/gate.hpp"
 #include "studies/verdicts/reported/reported_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -51,34 +46,12 @@ EstimateHeader read_estimate_header(CsvReader& reader, std::string_view origin) 
     return header;
 }
 
-std::string_view cell(const CsvReader& reader, const std::vector<CsvField>& record, const EstimateHeader& header,
-                      EstimateColumns::Column column) {
-    return reader.filled(record[header[column]], estimate_columns[column]);
-}
-
 Row read_row(const CsvReader& reader, const std::vector<CsvField>& record, const EstimateHeader& header) {
-    const std::string_view trial_text = cell(reader, record, header, EstimateColumns::trial);
-    const auto number = parse_bare_number<std::uint64_t>(trial_text);
-    if (!number)
-        reader.fail(record[header[EstimateColumns::trial]],
-                    fmt::format("trial = '{}' (not a whole number from 0 up). Number the trials 0, 1, 2, ...",
-                                excerpt(trial_text)));
-    const std::string_view text = cell(reader, record, header, EstimateColumns::estimate);
-    const auto value = parse_bare_number<double>(text);
-    if (!value)
-        reader.fail(record[header[EstimateColumns::estimate]],
-                    fmt::format("estimate = '{}' (not a number). Write it like 0.19982 or 2.5e-3.", excerpt(text)));
-    if (!std::isfinite(*value))
-        reader.fail(
-            record[header[EstimateColumns::estimate]],
-            fmt::format("estimate = '{}' (not a finite number; a mean of it would mean nothing). Find out why the "
-                        "program gave it.",
-                        excerpt(text)));
-    if (std::abs(*value) > largest_magnitude)
-        reader.fail(record[header[EstimateColumns::estimate]],
-                    fmt::format("estimate = '{}' (beyond {:g}: its powers cannot be computed). Choose another unit.",
-                                excerpt(text), largest_magnitude));
-    return {.trial = *number, .value = *value, .line = record.front().line};
+    using enum EstimateColumns::Column;
+    return {.trial = read_index(reader, record[header[trial]], estimate_columns[trial]),
+            .value = read_magnitude(reader, record[header[estimate]], estimate_columns[estimate],
+                                    "a mean of it would mean nothing). Find out why the program gave it."),
+            .line = record.front().line};
 }
 
 RowsByQuantity read_rows(CsvReader& reader, const EstimateHeader& header) {
@@ -90,7 +63,8 @@ RowsByQuantity read_rows(CsvReader& reader, const EstimateHeader& header) {
                         fmt::format("{} cell(s) (there are {} columns). Numbers have a decimal point, and "
                                     "cells with commas stand in quotes.",
                                     record.size(), header.size()));
-        rows[std::string(cell(reader, record, header, EstimateColumns::quantity))].push_back(
+        const CsvField& quantity = record[header[EstimateColumns::quantity]];
+        rows[std::string(reader.filled(quantity, estimate_columns[EstimateColumns::quantity]))].push_back(
             read_row(reader, record, header));
     }
     return rows;

@@ -3,11 +3,7 @@
 #include "stats/basics/distributions.hpp"
 #include "stats/dependence/independence.hpp"
 #include "studies/verdicts/at_gate.hpp"
-#include "studies/verdicts/reported/covariance.hpp"
 #include "studies/verdicts/reported/reported_gates.hpp"
-#include "studies/verdicts/reported/reported_shares.hpp"
-#include "studies/verdicts/reported/reported_spreads.hpp"
-#include "studies/verdicts/reported/reporting_faults.hpp"
 
 #include <fmt/format.h>
 
@@ -20,6 +16,12 @@ namespace ff::studies::gates {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+[[noreturn]] void refuse_repeated_runs(const Gate& gate, const Bins& bins, std::size_t bin) {
+    refuse_gate(gate, fmt::format("bin '{}' of {} has the same mean in every run (repeated runs are not runs). Give "
+                                  "every run a seed of its own.",
+                                  bins.name(bin), bins.file->origin));
+}
 
 /// The effect a - b, with its standard error and degrees of freedom by Welch and Satterthwaite.
 BinEffect difference(const MeanReference& a, const MeanReference& b) {
@@ -156,22 +158,13 @@ void compare_errors(BinComparison& comparing) {
             continue;
         }
         const Standardised found = standardise(runs);
-        if (found.square_sum == 0)
-            refuse_gate(comparing.gate,
-                        fmt::format("bin '{}' of {} has the same mean in every run (repeated runs are not runs). "
-                                    "Give every run a seed of its own.",
-                                    bins.name(bin), bins.file->origin));
+        if (found.square_sum == 0) refuse_repeated_runs(comparing.gate, bins, bin);
         const double ratio = std::sqrt(found.square_sum / static_cast<double>(bins.runs - 1));
         within += found.within_two;
         all += bins.runs;
         ratios += std::log(ratio);
         errors += std::log(runs[0].standard_error);
-        comparing.effects.bins.push_back({.value = ratio,
-                                          .error = 0,
-                                          .freedom = found.freedom,
-                                          .freedom_below = infinity,
-                                          .band = comparing.gate.band,
-                                          .name = static_cast<std::uint32_t>(bin)});
+        comparing.add_ratio(bin, ratio, found.freedom, infinity);
     }
     if (comparing.effects.bins.empty()) return;
     const auto judged = static_cast<double>(comparing.effects.bins.size());
@@ -205,6 +198,14 @@ void expect_independent_bins(BinComparison& comparing, const Bins& bins) {
 
 }  // namespace
 
+void BinComparison::add_ratio(std::size_t bin, double value, double freedom, double freedom_below) {
+    effects.bins.push_back({.value = value,
+                            .freedom = freedom,
+                            .freedom_below = freedom_below,
+                            .band = gate.band,
+                            .name = static_cast<std::uint32_t>(bin)});
+}
+
 MeanReference mean_of(Rows runs) {
     const auto n = static_cast<double>(runs.size());
     if (runs.size() == 1) return {runs[0].mean, runs[0].standard_error, runs[0].n > 0 ? runs[0].n - 1 : infinity};
@@ -227,10 +228,7 @@ bool is_empty(const Gate& gate, const Bins& bins, std::size_t bin) {
     const MeanReference mean = mean_of(bins.runs_of(bin));
     const bool is_exact = !bins.file->has_errors && bins.runs < enough_runs;
     if (mean.standard_error > 0 || is_exact) return false;
-    if (mean.value != 0)
-        refuse_gate(gate, fmt::format("bin '{}' of {} has the same mean in every run (repeated runs are not runs). "
-                                      "Give every run a seed of its own.",
-                                      bins.name(bin), bins.file->origin));
+    if (mean.value != 0) refuse_repeated_runs(gate, bins, bin);
     return true;
 }
 

@@ -4,7 +4,6 @@
 #include "core/support/excerpt.hpp"
 #include "core/support/nearest_name.hpp"
 #include "core/support/words.hpp"
-#include "studies/readers/csv_reader.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/verdicts/gate.hpp"
 
@@ -77,6 +76,11 @@ ReportedHeader read_reported_header(CsvReader& reader, std::string_view origin, 
     return header;
 }
 
+/// @param why  the problem, a bracket, and a suggestion
+[[noreturn]] void fail_at(const CsvReader& reader, const CsvField& field, std::string_view name, std::string_view why) {
+    reader.fail(field, fmt::format("{} = '{}' ({}", name, excerpt(trimmed(field.text)), why));
+}
+
 /// One record after the other, as rows.
 class RowReader {
     using enum ReportedColumns::Column;
@@ -103,11 +107,7 @@ class RowReader {
             row.cost = number(record, cost);
             if (row.cost <= 0) fail(record, cost, "efficiency is 1 over it). Give a positive one");
         }
-        if (header_[run]) {
-            const auto number_of_run = parse_bare_number<std::uint64_t>(cell(record, run));
-            if (!number_of_run) fail(record, run, "not a whole number from 0 up). Number the runs 0, 1, 2, ..");
-            row.run = *number_of_run;
-        }
+        if (header_[run]) row.run = read_index(reader_, record[*header_[run]], reported_columns[run]);
         return row;
     }
 
@@ -152,20 +152,13 @@ class RowReader {
     }
 
     double number(const std::vector<CsvField>& record, ReportedColumn column) const {
-        const auto value = parse_bare_number<double>(cell(record, column));
-        if (!value) fail(record, column, "not a number). Write it like 0.19982 or 2.5e-3");
-        if (!std::isfinite(*value))
-            fail(record, column,
-                 "not a finite number; nothing can be compared with it). Find out why the code gave it");
-        if (std::abs(*value) > largest_magnitude)
-            fail(record, column,
-                 fmt::format("beyond {:g}: its powers cannot be computed). Choose another unit", largest_magnitude));
-        return *value;
+        return read_magnitude(reader_, record[*header_[column]], reported_columns[column],
+                              "nothing can be compared with it). Find out why the code gave it.");
     }
 
     [[noreturn]] void fail(const std::vector<CsvField>& record, ReportedColumn column, std::string_view why) const {
         const CsvField& field = record[*header_[column]];
-        reader_.fail(field, fmt::format("{} = '{}' ({}.", reported_columns[column], excerpt(trimmed(field.text)), why));
+        fail_at(reader_, field, reported_columns[column], fmt::format("{}.", why));
     }
 
     const CsvReader& reader_;
@@ -267,6 +260,24 @@ ReportedFile parse_reported(std::string_view text, std::string_view origin, Stan
 
 ReportedFile load_reported(const std::filesystem::path& file, StandardErrors errors) {
     return parse_reported(read_text_file(file, FileKind::estimates), file.string(), errors);
+}
+
+double read_magnitude(const CsvReader& reader, const CsvField& field, std::string_view name,
+                      std::string_view if_infinite) {
+    const auto value = parse_bare_number<double>(reader.filled(field, name));
+    if (!value) fail_at(reader, field, name, "not a number). Write it like 0.19982 or 2.5e-3.");
+    if (!std::isfinite(*value)) fail_at(reader, field, name, fmt::format("not a finite number; {}", if_infinite));
+    if (std::abs(*value) > largest_magnitude)
+        fail_at(reader, field, name,
+                fmt::format("beyond {:g}: its powers cannot be computed). Choose another unit.", largest_magnitude));
+    return *value;
+}
+
+std::uint64_t read_index(const CsvReader& reader, const CsvField& field, std::string_view name) {
+    const auto index = parse_bare_number<std::uint64_t>(reader.filled(field, name));
+    if (!index)
+        fail_at(reader, field, name, fmt::format("not a whole number from 0 up). Number the {}s 0, 1, 2, ...", name));
+    return *index;
 }
 
 void fail_without(std::string_view wanted, std::string_view what, std::string_view origin,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "studies/readers/csv_reader.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -62,6 +64,14 @@ ReportedFile parse_reported(std::string_view text, std::string_view origin, Stan
 
 /// @throws IoError, UserError
 ReportedFile load_reported(const std::filesystem::path& file, StandardErrors errors);
+
+/// A finite number whose powers can be computed. @param name  of its column @param if_infinite  the problem of one that
+/// is not finite, and a suggestion
+double read_magnitude(const CsvReader& reader, const CsvField& field, std::string_view name,
+                      std::string_view if_infinite);
+
+/// A number of a trial or a run. @param name  of its column
+std::uint64_t read_index(const CsvReader& reader, const CsvField& field, std::string_view name);
 
 /// @throws UserError at `place`: a file has nothing of a quantity, only of others @param what  it has none of
 [[noreturn]] void fail_without(std::string_view wanted, std::string_view what, std::string_view origin,

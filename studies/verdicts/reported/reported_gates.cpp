@@ -6,7 +6,6 @@
 #include "studies/verdicts/reported/estimate_gates.hpp"
 #include "studies/verdicts/reported/reported_bins.hpp"
 #include "studies/verdicts/reported/reported_effects.hpp"
-#include "studies/verdicts/reported/reported_shares.hpp"
 
 #include <fmt/format.h>
 
@@ -69,10 +68,8 @@ GateResult judge_effects(const Spec& spec, BinComparison& comparing, const Bins*
                     fmt::format("no bin of '{}' in {} holds anything{} (nothing would be compared). Run longer.",
                                 comparing.gate.quantity, comparing.bins.file->origin,
                                 against != nullptr ? fmt::format(" that is also in {}", against->file->origin) : ""));
-    Spec one_look = spec;  // nothing can be added to a file
-    one_look.looks = 1;
-    const Levels of_gate = levels_of(one_look, 1);
-    Levels of_bin = levels_of(one_look, bins.size());
+    const Levels of_gate = levels_at_one_look(spec, 1);
+    const Levels of_bin = levels_at_one_look(spec, bins.size());
     const BinsVerdict verdict =
         judge_bins(comparing.effects, comparing.gate.combine, of_gate.fail_alpha, of_gate.pass_alpha);
     GateResult result;
@@ -204,9 +201,7 @@ EstimatesPlan plan_reported(const Spec& spec, const Gate& gate, const ReportedFi
                                 name(gate.kind), file.origin));
     const Bins* const beside = other ? &*other : nullptr;
     const BinComparison comparing = effects_of(gate, bins, beside);
-    Spec one_look = spec;
-    one_look.looks = 1;
-    const Levels levels = levels_of(one_look, 1);
+    const Levels levels = levels_at_one_look(spec, 1);
     EstimatesPlan plan{.gate = gate.name,
                        .kind = gate.kind,
                        .comparisons = comparing.effects.bins.size(),

@@ -1,4 +1,4 @@
-#include "studies/verdicts/reported/reported_shares.hpp"
+#include "studies/verdicts/reported/reported_effects.hpp"
 
 #include "stats/error_rates/multiplicity.hpp"
 #include "studies/verdicts/needed_trials.hpp"
@@ -89,7 +89,6 @@ void compare_shares(BinComparison& comparing, const Bins* against) {
         comparing.effects.bins.push_back({.value = estimate(pair.counts) - pair.reference.value,
                                           .error = std::sqrt(approximate_variance(pair.counts) + of_reference),
                                           .freedom = static_cast<double>(pair.counts.trials),
-                                          .freedom_below = 0,
                                           .band = band_beside(comparing, bin, pair.reference.value),
                                           .name = static_cast<std::uint32_t>(bin)});
         comparing.effects.shares.push_back(pair);

@@ -1,11 +1,10 @@
-#include "studies/verdicts/reported/reported_spreads.hpp"
+#include "studies/verdicts/reported/reported_effects.hpp"
 
 #include "studies/verdicts/at_gate.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -50,12 +49,8 @@ void compare_spreads(BinComparison& comparing) {
             ++comparing.empty;
             continue;
         }
-        comparing.effects.bins.push_back({.value = std::sqrt(squares / weights) / *comparing.gate.reference,
-                                          .error = 0,
-                                          .freedom = freedom,
-                                          .freedom_below = std::numeric_limits<double>::infinity(),
-                                          .band = comparing.gate.band,
-                                          .name = static_cast<std::uint32_t>(bin)});
+        comparing.add_ratio(bin, std::sqrt(squares / weights) / *comparing.gate.reference, freedom,
+                            std::numeric_limits<double>::infinity());
     }
     add_note(comparing.note, about_samples(comparing.gate));
 }
@@ -80,12 +75,8 @@ void compare_efficiencies(BinComparison& comparing, const Bins& against) {
             ++comparing.empty;
             continue;
         }
-        comparing.effects.bins.push_back({.value = inverse(other) / inverse(own),
-                                          .error = 0,
-                                          .freedom = freedom_of_variance(comparing.gate, other.n),
-                                          .freedom_below = freedom_of_variance(comparing.gate, own.n),
-                                          .band = comparing.gate.band,
-                                          .name = static_cast<std::uint32_t>(bin)});
+        comparing.add_ratio(bin, inverse(other) / inverse(own), freedom_of_variance(comparing.gate, other.n),
+                            freedom_of_variance(comparing.gate, own.n));
     }
     add_note(comparing.note, by_cost ? "1 / (error² × cost), of the file over --against; seconds depend on the machine"
                                      : "1 / (error² × n), of the file over --against");

@@ -1,4 +1,4 @@
-#include "studies/verdicts/reported/reporting_faults.hpp"
+#include "studies/verdicts/reported/reported_effects.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ bool is_near(double a, double b) {
 /// Below this n the factors n and sqrt(n) are within reach of ordinary faults.
 constexpr double least_n = 10;
 
-double sum_of_sizes(std::span<const ReportedRow> rows) {
+double sum_of_sizes(Rows rows) {
     double sum = 0;
     for (const ReportedRow& row : rows) sum += std::abs(row.mean);
     return sum;
@@ -43,7 +43,7 @@ std::string fault_of_errors(double ratio, double error, double n) {
     return ratio > 1 ? " Correlated batches are a common cause." : "";
 }
 
-std::string fault_of_means(std::span<const ReportedRow> rows, std::span<const ReportedRow> against) {
+std::string fault_of_means(Rows rows, Rows against) {
     if (rows.empty() || rows.front().n < least_n) return {};
     const double n = rows.front().n;
     const double part = static_cast<double>(against.size()) / static_cast<double>(rows.size());
@@ -59,9 +59,9 @@ std::string fault_of_means(std::span<const ReportedRow> rows, std::span<const Re
     return {};
 }
 
-std::string fault_between_errors(std::span<const ReportedRow> rows, std::span<const ReportedRow> against) {
+std::string fault_between_errors(Rows rows, Rows against) {
     if (rows.size() != against.size()) return {};
-    const auto are_squares = [](std::span<const ReportedRow> small, std::span<const ReportedRow> large) {
+    const auto are_squares = [](Rows small, Rows large) {
         std::size_t squares = 0;
         std::size_t alike = 0;
         std::size_t all = 0;
