@@ -16,10 +16,6 @@
 namespace ff::studies::audit {
 namespace {
 
-bool is_value(const Figure& figure) {
-    return figure.kind == FigureKind::form_factor || figure.kind == FigureKind::row_sum;
-}
-
 /// The steps of an audit, in the order in which they build on each other.
 class Auditor {
   public:

@@ -14,13 +14,9 @@ namespace {
 Range predicted(const Constraint& constraint, const std::vector<Range>& ranges) {
     Range sum{0, 0};
     for (const Term& term : constraint.terms) {
-        Range x = ranges[term.variable];
-        if (constraint.kind == ConstraintKind::deviation) {
-            const double r = constraint.reference;
-            x = {100 * std::max({0.0, x.low - r, r - x.high}) / r, 100 * std::max(x.high - r, r - x.low) / r};
-        }
-        sum.low += term.factor * x.low;
-        sum.high += term.factor * x.high;
+        const Range part = contribution(constraint, ranges, term);
+        sum.low += part.low;
+        sum.high += part.high;
     }
     sum.high = std::max(sum.low, sum.high);  // the ends of a point may be rounded past each other
     return sum;

@@ -21,19 +21,6 @@ Range scaled(Range range, double factor) {
                        : Range{range.high * factor, range.low * factor};
 }
 
-/// Range of 100 |x - reference| / reference.
-Range deviation(Range x, double reference) {
-    const double below = reference - x.low;
-    const double above = x.high - reference;
-    const double least = std::max({0.0, x.low - reference, reference - x.high});
-    return {100 * least / reference, 100 * std::max(below, above) / reference};
-}
-
-Range contribution(const Constraint& constraint, const std::vector<Range>& ranges, const Term& term) {
-    const Range x = ranges[term.variable];
-    return scaled(constraint.kind == ConstraintKind::linear ? x : deviation(x, constraint.reference), term.factor);
-}
-
 Range project_deviation(Range allowed, double reference, Range current) {
     if (allowed.high < 0) return {1, 0};
     const double outer = reference * allowed.high / 100;
@@ -90,6 +77,11 @@ std::string_view name(Relation relation) {
                                                      "spread",
                                                      "reading"};
     return names[static_cast<std::size_t>(relation)];
+}
+
+Range contribution(const Constraint& constraint, const std::vector<Range>& ranges, const Term& term) {
+    const Range x = ranges[term.variable];
+    return scaled(constraint.kind == ConstraintKind::linear ? x : deviation(x, constraint.reference), term.factor);
 }
 
 Range project(const Constraint& constraint, const ConstraintSystem& system, const std::vector<Range>& ranges,

@@ -14,6 +14,14 @@ bool contains(const std::vector<std::string>& list, const std::string& item) {
 
 }  // namespace
 
+bool is_sampling(const PublishedTables& tables, const std::string& method) {
+    return contains(tables.sampling_methods, method);
+}
+
+Completion completion_of(const PublishedTables& tables, const std::string& method) {
+    return contains(tables.reciprocal_methods, method) ? Completion::reciprocal : Completion::direct;
+}
+
 std::vector<Experiment> collect_experiments(const PublishedTables& tables) {
     std::vector<Experiment> experiments;
     for (std::size_t f = 0; f < tables.figures.size(); ++f) {
@@ -30,11 +38,10 @@ std::vector<Experiment> collect_experiments(const PublishedTables& tables) {
                               .patches_per_face = figure.patches_per_face,
                               .samples_per_patch = figure.samples_per_patch,
                               .rays_per_face = std::nullopt,
+                              .completion = completion_of(tables, figure.method),
                               .figures = {f}};
-        if (contains(tables.sampling_methods, figure.method) && figure.samples_per_patch) {
+        if (is_sampling(tables, figure.method) && figure.samples_per_patch)
             experiment.rays_per_face = *figure.samples_per_patch * figure.patches_per_face;
-        }
-        if (contains(tables.reciprocal_methods, figure.method)) experiment.completion = Completion::reciprocal;
         experiments.push_back(std::move(experiment));
     }
     return experiments;
@@ -47,7 +54,7 @@ std::string describe(const Experiment& experiment) {
 }
 
 NumberFormat format_of(const Figure& figure, const Interpretation& interpretation) {
-    if (figure.kind == FigureKind::form_factor || figure.kind == FigureKind::row_sum) return interpretation.values;
+    if (is_value(figure)) return interpretation.values;
     const auto number = parse_printed(figure.printed);
     return {interpretation.errors, Layout::fixed_decimals, number ? number->decimals : 0};
 }

@@ -25,6 +25,10 @@ struct Experiment {
 /// The experiments of the tables, in order of first appearance, with columns read as the file says.
 std::vector<Experiment> collect_experiments(const PublishedTables& tables);
 
+/// Whether the estimates of a method are hits over rays.
+bool is_sampling(const PublishedTables& tables, const std::string& method);
+Completion completion_of(const PublishedTables& tables, const std::string& method);
+
 /// "SR, 169 patches per face, 625 rays per patch".
 std::string describe(const Experiment& experiment);
 

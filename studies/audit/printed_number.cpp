@@ -30,6 +30,13 @@ int decimals_of(double value, NumberFormat format) {
 
 }  // namespace
 
+Range deviation(Range x, double reference) {
+    const double below = reference - x.low;
+    const double above = x.high - reference;
+    const double least = std::max({0.0, x.low - reference, reference - x.high});
+    return {100 * least / reference, 100 * std::max(below, above) / reference};
+}
+
 double PrintedNumber::value() const {
     return static_cast<double>(digits) / power_of_ten(decimals);
 }
@@ -76,6 +83,11 @@ std::optional<Range> printed_range(PrintedNumber number, NumberFormat format) {
     // Below a power of ten significant digits are finer.
     const double below = printed_unit(value - 0.01 * unit, format);
     return Range{value - 0.5 * below, value + 0.5 * unit};
+}
+
+std::optional<Range> printed_range(std::string_view text, NumberFormat format) {
+    const auto number = parse_printed(text);
+    return number ? printed_range(*number, format) : std::nullopt;
 }
 
 std::string print(double value, NumberFormat format) {

@@ -14,7 +14,11 @@ struct Range {
 
     [[nodiscard]] double middle() const { return 0.5 * (low + high); }
     [[nodiscard]] bool contains(double value) const { return low <= value && value <= high; }
+    [[nodiscard]] bool meets(Range other) const { return low <= other.high && high >= other.low; }
 };
+
+/// Range of 100 |x - reference| / reference, the relative errors of the values in a range.
+Range deviation(Range x, double reference);
 
 /// A decimal number as printed: digits * 10^-decimals.
 struct PrintedNumber {
@@ -53,6 +57,8 @@ double printed_unit(double value, NumberFormat format);
 /// The numbers that are printed as `number`: a closed range for rounding (ties may go either way), without the upper
 /// end for truncation. Empty where the format cannot print it because it has too many digits.
 std::optional<Range> printed_range(PrintedNumber number, NumberFormat format);
+/// The same; empty also for a text that is no number.
+std::optional<Range> printed_range(std::string_view text, NumberFormat format);
 
 /// `value` >= 0 in the format, trailing zeros kept.
 std::string print(double value, NumberFormat format);

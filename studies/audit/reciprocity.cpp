@@ -1,7 +1,6 @@
 #include "studies/audit/reciprocity.hpp"
 
 #include "core/support/contract.hpp"
-#include "studies/audit/chance.hpp"
 #include "studies/audit/explain.hpp"
 
 #include <fmt/format.h>

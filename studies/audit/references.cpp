@@ -122,8 +122,7 @@ std::vector<Candidate> candidates_of(const Group& group) {
 }
 
 Range range_of(const Figure& figure, NumberFormat format) {
-    const auto number = parse_printed(figure.printed);
-    return (number ? printed_range(*number, format) : std::nullopt).value_or(Range{1, 0});
+    return printed_range(figure.printed, format).value_or(Range{1, 0});
 }
 
 /// Tests all rows of a group against one candidate and rule, equal rows counting once.
@@ -194,9 +193,8 @@ InferredReference infer(const Group& group, const RowCounter& counter) {
 
 bool error_fits(Range value, Range percent, double reference) {
     constexpr double slack = 1e-9;
-    const double least = std::max({0.0, value.low - reference, reference - value.high});
-    const double most = std::max(value.high - reference, reference - value.low);
-    return 100 * least / reference <= percent.high + slack && 100 * most / reference >= percent.low - slack;
+    const Range possible = deviation(value, reference);
+    return possible.low <= percent.high + slack && possible.high >= percent.low - slack;
 }
 
 ReferenceInference infer_references(const PublishedTables& tables, const SceneFacts& facts,

@@ -112,23 +112,31 @@ SceneFacts scene_facts(const PublishedTables& tables) {
     return facts;
 }
 
+double reach_of_chance(double sigma, double hit, double z_limit) {
+    const double few = z_limit * z_limit * hit / 6;
+    return few + std::hypot(few, z_limit * sigma);
+}
+
+double most_sigma(const SceneFacts& facts, const std::optional<SrDistribution>& distribution, std::uint64_t rays,
+                  std::size_t from, std::size_t to) {
+    if (distribution) return distribution->pair_sigma(static_cast<int>(from), static_cast<int>(to));
+    const Range factor = facts.factor(from, to);
+    const double worst = std::clamp(0.5, factor.low, factor.high);
+    return std::sqrt(worst * std::max(0.0, 1 - worst) / static_cast<double>(rays));
+}
+
 const std::optional<SrDistribution>& DistributionCache::at(const SceneFacts& facts, std::uint32_t patches_per_face,
                                                            std::uint64_t rays_per_face, Completion completion) {
     const std::tuple key{patches_per_face, rays_per_face, completion};
     const auto known = distributions_.find(key);
     if (known != distributions_.end()) return known->second;
-    auto factors = patch_to_face_.find(patches_per_face);
-    if (factors == patch_to_face_.end()) {
-        const auto m = static_cast<std::uint32_t>(std::lround(std::sqrt(patches_per_face)));
-        std::optional<Eigen::MatrixXd> exact;
-        if (facts.exact && m * m == patches_per_face && patches_per_face <= most_patches)
-            exact = exact_patch_to_face(facts.scene, Subdivision{m});
-        factors = patch_to_face_.emplace(patches_per_face, std::move(exact)).first;
-    }
+    const auto m = static_cast<std::uint32_t>(std::lround(std::sqrt(patches_per_face)));
+    const auto [factors, is_new] = patch_to_face_.try_emplace(patches_per_face);
+    if (is_new && facts.exact && m * m == patches_per_face && patches_per_face <= most_patches)
+        factors->second = exact_patch_to_face(facts.scene, Subdivision{m});
     std::optional<SrDistribution> distribution;
     if (factors->second) {
         const double rays_per_patch = static_cast<double>(rays_per_face) / patches_per_face;
-        const auto m = static_cast<std::uint32_t>(std::lround(std::sqrt(patches_per_face)));
         distribution = sr_distribution(facts.scene, Subdivision{m}, *factors->second, rays_per_patch, completion);
     }
     return distributions_.emplace(key, std::move(distribution)).first->second;

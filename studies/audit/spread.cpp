@@ -21,17 +21,6 @@ Index position(const SceneFacts& facts, const Figure& figure) {
     return from * static_cast<Index>(facts.faces()) + static_cast<Index>(*facts.face(figure.to));
 }
 
-Completion completion_of(const PublishedTables& tables, const std::string& method) {
-    const auto& list = tables.reciprocal_methods;
-    return std::find(list.begin(), list.end(), method) != list.end() ? Completion::reciprocal : Completion::direct;
-}
-
-bool is_sampled_value(const PublishedTables& tables, const Figure& figure) {
-    const auto& list = tables.sampling_methods;
-    return std::find(list.begin(), list.end(), figure.method) != list.end() &&
-           (figure.kind == FigureKind::form_factor || figure.kind == FigureKind::row_sum);
-}
-
 /// log of the likelihood of one figure, up to a constant that all readings share.
 double log_likelihood(const Expectation& expected, double value, std::size_t explained, double chance) {
     const double z = (value - expected.mean) / expected.sigma;
@@ -49,7 +38,8 @@ ReadingEvidence weigh_reading(const PublishedTables& tables, const SceneFacts& f
         std::optional<SrDistribution> distribution;
         for (std::size_t f = 0; f < tables.figures.size(); ++f) {
             const Figure& figure = tables.figures[f];
-            if (figure.table != reading.table || figure.column != column || !is_sampled_value(tables, figure)) continue;
+            if (figure.table != reading.table || figure.column != column) continue;
+            if (!is_sampling(tables, figure.method) || !is_value(figure)) continue;
             distribution = cache.at(facts, figure.patches_per_face, rays, completion_of(tables, figure.method));
             if (!distribution) continue;
             const auto expected = expectation(facts, *distribution, figure);

@@ -1,15 +1,13 @@
 #include "studies/audit/value_format.hpp"
 
+#include "studies/audit/experiment.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace ff::studies::audit {
 namespace {
-
-bool is_value_of(const Figure& figure, const std::string& method) {
-    return figure.method == method && (figure.kind == FigureKind::form_factor || figure.kind == FigureKind::row_sum);
-}
 
 bool has_readings(const PublishedTables& tables, const std::string& table) {
     return std::any_of(tables.readings.begin(), tables.readings.end(),
@@ -20,7 +18,7 @@ InferredFormat sampled_format(const PublishedTables& tables, const std::string& 
     std::vector<SampledFigure> figures;
     std::vector<SampledFigure> uncertain;
     for (const Figure& figure : tables.figures) {
-        if (!is_value_of(figure, method)) continue;
+        if (figure.method != method || !is_value(figure)) continue;
         const SampledFigure sampled{*parse_printed(figure.printed),
                                     *figure.samples_per_patch * figure.patches_per_face};
         (has_readings(tables, figure.table) ? uncertain : figures).push_back(sampled);
@@ -43,7 +41,7 @@ InferredFormat deterministic_format(const PublishedTables& tables, const std::st
     const NumberFormat significant{Rounding::rounded, Layout::significant_digits, tables.decimals};
     bool fits_significant = true;
     for (const Figure& figure : tables.figures) {
-        if (!is_value_of(figure, method)) continue;
+        if (figure.method != method || !is_value(figure)) continue;
         const PrintedNumber number = *parse_printed(figure.printed);
         most = std::max(most, number.decimals);
         least = std::min(least, number.decimals);
@@ -72,9 +70,7 @@ std::optional<Rounding> stated_rounding(const PublishedTables& tables) {
 }
 
 InferredFormat infer_format(const PublishedTables& tables, const std::string& method) {
-    const auto& sampling = tables.sampling_methods;
-    const bool sampled = std::find(sampling.begin(), sampling.end(), method) != sampling.end();
-    return sampled ? sampled_format(tables, method) : deterministic_format(tables, method);
+    return is_sampling(tables, method) ? sampled_format(tables, method) : deterministic_format(tables, method);
 }
 
 }  // namespace ff::studies::audit

@@ -63,10 +63,10 @@ void compare(const CellEstimates& estimates, const CellAnalysis& findings, const
     comparison.single_run = stats::central_range(values, level);
     comparison.rank = stats::rank_among(values, comparison.printed, level, half_printed_unit(figure.printed));
     const auto sigma = moments.standard_deviation();
-    const bool gaussian = figure.kind == FigureKind::form_factor || figure.kind == FigureKind::row_sum;
     // Under infinite variance the sample's deviation measures nothing; ranks still hold.
     const bool finite = summary.variance != VarianceStatus::infinite;
-    if (gaussian && finite && sigma && *sigma > 0) comparison.z = (comparison.printed - *comparison.ours) / *sigma;
+    if (is_value(figure) && finite && sigma && *sigma > 0)
+        comparison.z = (comparison.printed - *comparison.ours) / *sigma;
 }
 
 /// The p-value of one figure: for estimates, which are sums of many hits, Student's of one more observation beside the
@@ -130,9 +130,8 @@ void add_chi_squared(const PublishedTables& tables, const Analysis& findings,
                      const std::map<std::size_t, CellEstimates>& estimates, TableComparison& table) {
     std::map<std::size_t, std::vector<const FigureComparison*>> columns;
     for (const FigureComparison& comparison : table.figures) {
-        const FigureKind kind = tables.figures[comparison.figure].kind;
-        const bool estimate = kind == FigureKind::form_factor || kind == FigureKind::row_sum;
-        if (estimate && comparison.rank) columns[tables.figures[comparison.figure].column].push_back(&comparison);
+        const Figure& figure = tables.figures[comparison.figure];
+        if (is_value(figure) && comparison.rank) columns[figure.column].push_back(&comparison);
     }
     for (const auto& [column, figures] : columns) {
         std::vector<double> deviations;

@@ -36,6 +36,11 @@ struct Figure {
     int character = 0;
 };
 
+/// Whether the figure states a form factor, or a sum of them, rather than an error.
+inline bool is_value(const Figure& figure) {
+    return figure.kind == FigureKind::form_factor || figure.kind == FigureKind::row_sum;
+}
+
 /// A printed table: `figures` has indices into PublishedTables::figures, row by row; empty for a blank cell.
 struct PublishedTable {
     std::string id;
