@@ -94,10 +94,8 @@ class Auditor {
             f.statement = fmt::format("The relative errors of {} ({} pairs) are relative to {}, not to the stated {}.",
                                       r.table, r.pair_class, r.text, r.stated);
             f.blamed = r.unexplained_by_stated;
-            f.evidence.push_back({Relation::relative_error,
-                                  fmt::format("{} explains {} of {} different rows, {} explains {}.", r.text,
-                                              r.explained, r.rows, r.stated, r.explained_by_stated),
-                                  {}});
+            f.cite(Relation::relative_error, fmt::format("{} explains {} of {} different rows, {} explains {}.", r.text,
+                                                         r.explained, r.rows, r.stated, r.explained_by_stated));
             add(std::move(f));
         }
         check_reference(tables_.reference_parallel, PairClass::parallel);
@@ -115,7 +113,7 @@ class Auditor {
                 const Range exact = facts_.factor(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
                 for (const Rounding rounding : {Rounding::rounded, Rounding::truncated}) {
                     const auto range = printed_range(number, {rounding, Layout::fixed_decimals, number.decimals});
-                    if (range && range->low <= exact.high && range->high >= exact.low) return;
+                    if (range && range->meets(exact)) return;
                 }
                 if (nearest == 0 || std::abs(exact.middle() - number.value()) < std::abs(nearest - number.value()))
                     nearest = exact.middle();
@@ -154,20 +152,18 @@ class Auditor {
                 "{}: the {} and the figures contradict each other (reading \"{}\": odds 10^{:.0f} "
                 "to 1 against it).",
                 reading.table, reading.stated_in, reading.statement, -reading.log_odds / std::log(10.0));
-            f.evidence.push_back({Relation::integrality,
-                                  fmt::format("{} of {} figures are a whole number of hits, {:.1f} expected by chance.",
-                                              reading.hits.whole, reading.hits.figures, reading.hits.expected),
-                                  {}});
+            f.cite(Relation::integrality,
+                   fmt::format("{} of {} figures are a whole number of hits, {:.1f} expected by chance.",
+                               reading.hits.whole, reading.hits.figures, reading.hits.expected));
             for (std::size_t column = 0; column < reading.spread.size(); ++column) {
                 const auto& spread = reading.spread[column];
                 if (!spread) continue;
-                f.evidence.push_back(
-                    {Relation::spread,
-                     fmt::format("Column {} with {} rays per face: chi-squared {:.3g} with {} degrees of freedom (p = "
-                                 "{:.2g} for as far, {:.2g} for as close).",
-                                 column + 1, reading.rays_per_face[column], spread->chi_squared.statistic,
-                                 spread->chi_squared.freedom, spread->too_far, spread->too_close),
-                     {}});
+                f.cite(
+                    Relation::spread,
+                    fmt::format("Column {} with {} rays per face: chi-squared {:.3g} with {} degrees of freedom (p = "
+                                "{:.2g} for as far, {:.2g} for as close).",
+                                column + 1, reading.rays_per_face[column], spread->chi_squared.statistic,
+                                spread->chi_squared.freedom, spread->too_far, spread->too_close));
             }
             add(std::move(f));
         }
@@ -198,28 +194,16 @@ class Auditor {
         spread_level_ = report_.alpha / 2 / (2 * static_cast<double>(std::max<std::ptrdiff_t>(1, sampled)));
     }
 
-    struct Judged {
-        ExperimentModel model;
-        Interpretation interpretation;
-        std::vector<JudgedDiagnosis> diagnoses;
-    };
-
-    Judged judge_as(const Experiment& experiment, NumberFormat format) {
-        Judged judged;
-        judged.interpretation = {format, report_.references.rounding, report_.references.reference};
-        judged.model = build_model(tables_, facts_, experiment, judged.interpretation, cache_, report_.z_limit);
-        judged.diagnoses = judge_diagnoses(tables_, facts_, judged.model, judged.interpretation);
-        return judged;
-    }
-
     void judge_experiment(const Experiment& experiment) {
-        const Judged judged = judge_as(experiment, format_of_method(experiment.method).format);
-        for (Finding& finding :
-             explain_diagnosis(tables_, facts_, experiment, judged.model, judged.interpretation, judged.diagnoses)) {
-            add_hints(finding, judged.interpretation);
+        const Interpretation interpretation{format_of_method(experiment.method).format, report_.references.rounding,
+                                            report_.references.reference};
+        const ExperimentModel model = build_model(tables_, facts_, experiment, interpretation, cache_, report_.z_limit);
+        const auto diagnoses = judge_diagnoses(model);
+        for (Finding& finding : explain_diagnosis(model, diagnoses)) {
+            add_hints(finding, interpretation);
             add(std::move(finding));
         }
-        if (experiment.rays_per_face) recover_hits(experiment, judged);
+        if (experiment.rays_per_face) recover_hits(model, diagnoses.front().diagnosis.ranges);
     }
 
     /// What may have gone wrong, where the figures show it.
@@ -229,44 +213,34 @@ class Auditor {
             if (!is_value(figure)) {
                 NumberFormat other = format_of(figure, interpretation);
                 other.rounding = other.rounding == Rounding::rounded ? Rounding::truncated : Rounding::rounded;
-                const auto range = printed_range(*parse_printed(figure.printed), other);
-                if (range && range->low <= correction.values.high && range->high >= correction.values.low) {
-                    finding.evidence.push_back(
-                        {Relation::printing_rule,
-                         fmt::format("{} would be right if it were {}.", figure.printed, describe(other)),
-                         {}});
-                }
+                const auto range = printed_range(figure.printed, other);
+                if (range && range->meets(correction.values))
+                    finding.cite(Relation::printing_rule,
+                                 fmt::format("{} would be right if it were {}.", figure.printed, describe(other)));
                 continue;
             }
             for (std::size_t f = 0; f < tables_.figures.size(); ++f) {
                 const Figure& twin = tables_.figures[f];
                 if (f == correction.figure || twin.method != figure.method || twin.printed != figure.printed) continue;
                 if (twin.kind != figure.kind || correction.edits < 2) continue;
-                finding.evidence.push_back(
-                    {Relation::print,
-                     fmt::format("The same digits stand in {}: perhaps copied.", describe(tables_, f)),
-                     {}});
+                finding.cite(Relation::print,
+                             fmt::format("The same digits stand in {}: perhaps copied.", describe(tables_, f)));
             }
         }
     }
 
-    void recover_hits(const Experiment& experiment, const Judged& judged) {
-        const std::vector<Range>& ranges = judged.diagnoses.front().diagnosis.ranges;
-        for (const FigureLink& link : judged.model.links) {
-            const Constraint& constraint = judged.model.system.constraints[link.constraint];
-            if (constraint.kind != ConstraintKind::linear || !link.quantity) continue;
-            const Variable& variable = judged.model.system.variables[link.quantity->variable];
-            RecoveredHits hits{
-                .figure = link.figure, .rays = *experiment.rays_per_face, .printed = {}, .consistent = {}};
+    void recover_hits(const ExperimentModel& model, const std::vector<Range>& ranges) {
+        for (const FigureLink& link : model.links) {
+            if (!is_value(tables_.figures[link.figure])) continue;
+            const Variable& variable = model.system.variables[link.quantity->variable];
+            RecoveredHits hits{.figure = link.figure, .rays = *model.experiment.rays_per_face};
             if (variable.rays && link.quantity->factor == 1)
-                hits.printed = possible_hits(constraint.values, *variable.rays);
+                hits.printed = possible_hits(model.system.constraints[link.constraint].values, *variable.rays);
             if (variable.rays) hits.consistent = possible_hits(ranges[link.quantity->variable], *variable.rays);
             report_.hits.push_back(hits);
         }
-        if (!judged.model.distribution) return;
-        if (const auto spread = weigh_spread(tables_, facts_, *judged.model.distribution, *experiment.rays_per_face,
-                                             values_within(judged.model, ranges)))
-            report_.spreads.push_back({describe(experiment), *spread});
+        if (const auto spread = spread_within(model, ranges))
+            report_.spreads.push_back({describe(model.experiment), *spread});
     }
 
     void judge_spreads() {

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ff::studies::audit {
@@ -41,14 +42,18 @@ struct Finding {
     std::vector<Evidence> evidence;
     std::vector<std::string> alternatives;  ///< other possible culprits, a sentence each
     std::vector<std::size_t> involved;      ///< all figures that blame, evidence or alternatives mention, ascending
+
+    void cite(Relation by, std::string text, std::vector<std::size_t> figures = {}) {
+        evidence.push_back({by, std::move(text), std::move(figures)});
+    }
 };
 
 /// Whole numbers of hits behind a figure of a sampling method.
 struct RecoveredHits {
     std::size_t figure = 0;
-    std::uint64_t rays = 0;              ///< number of rays shot from the figure's face
-    std::optional<HitRange> printed;     ///< allowed by the printed digits alone; empty where no whole number fits
-    std::optional<HitRange> consistent;  ///< allowed by all relations together
+    std::uint64_t rays = 0;                ///< number of rays shot from the figure's face
+    std::optional<HitRange> printed{};     ///< allowed by the printed digits alone; empty where no whole number fits
+    std::optional<HitRange> consistent{};  ///< allowed by all relations together
 };
 
 /// The Monte Carlo values of one experiment taken together, misprints corrected.

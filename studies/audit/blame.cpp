@@ -34,8 +34,8 @@ bool agrees(ConstraintSystem system, const std::vector<std::size_t>& blamed, std
 
 /// The errors of a deterministic method have any size, so the probability that one lies within a printed unit of its
 /// value falls as the reciprocal of this value. In powers of ten, over all pairs.
-double distance_from_truth(const SceneFacts& facts, const ExperimentModel& model, const Interpretation& interpretation,
-                           const std::vector<Range>& ranges) {
+double distance_from_truth(const ExperimentModel& model, const std::vector<Range>& ranges) {
+    const SceneFacts& facts = model.facts;
     double improbability = 0;
     std::set<std::size_t> seen;
     for (const auto& [pair, term] : model.pairs) {
@@ -43,15 +43,14 @@ double distance_from_truth(const SceneFacts& facts, const ExperimentModel& model
         const Range left = ranges[term.variable];
         const Range truth = facts.factor(pair / facts.faces(), pair % facts.faces());
         const double gap = std::max({0.0, left.low - truth.high / term.factor, truth.low / term.factor - left.high});
-        improbability += std::log10(1 + gap / printed_unit(left.low, interpretation.values));
+        improbability += std::log10(1 + gap / printed_unit(left.low, model.interpretation.values));
     }
     return improbability;
 }
 
-JudgedDiagnosis judge(const PublishedTables& tables, const SceneFacts& facts, const ExperimentModel& model,
-                      const Interpretation& interpretation, Diagnosis diagnosis) {
+JudgedDiagnosis judge(const ExperimentModel& model, Diagnosis diagnosis) {
     JudgedDiagnosis judged;
-    judged.improbability = distance_from_truth(facts, model, interpretation, diagnosis.ranges);
+    judged.improbability = distance_from_truth(model, diagnosis.ranges);
     for (const std::size_t s : diagnosis.blamed) {
         const Suspect& suspect = model.system.suspects[s];
         if (suspect.figures.empty()) {
@@ -59,13 +58,15 @@ JudgedDiagnosis judge(const PublishedTables& tables, const SceneFacts& facts, co
             continue;
         }
         const Constraint& constraint = constraint_of(model, s);
-        const Figure& figure = tables.figures[suspect.figures.front()];
+        const Figure& figure = model.tables.figures[suspect.figures.front()];
         const auto is_consistent = [&](Range values) { return agrees(model.system, diagnosis.blamed, s, values); };
-        Correction correction = correct(figure.printed, predicted(constraint, diagnosis.ranges),
-                                        format_of(figure, interpretation), rays_of(model, constraint), is_consistent);
+        Correction correction =
+            correct(figure.printed, predicted(constraint, diagnosis.ranges), format_of(figure, model.interpretation),
+                    rays_of(model, constraint), is_consistent);
         correction.figure = suspect.figures.front();
         judged.improbability += suspect.weight * correction.edits;
-        if (const auto expected = model.distribution ? expectation(facts, *model.distribution, figure) : std::nullopt;
+        if (const auto expected =
+                model.distribution ? expectation(model.facts, *model.distribution, figure) : std::nullopt;
             expected && expected->sigma > 0) {
             const double z = (parse_printed(correction.meant)->value() - expected->mean) / expected->sigma;
             judged.improbability += 0.5 * z * z / std::numbers::ln10;
@@ -89,12 +90,9 @@ std::optional<std::uint64_t> rays_of(const ExperimentModel& model, const Constra
     return model.system.variables[constraint.terms.front().variable].rays;
 }
 
-std::vector<JudgedDiagnosis> judge_diagnoses(const PublishedTables& tables, const SceneFacts& facts,
-                                             const ExperimentModel& model, const Interpretation& interpretation) {
+std::vector<JudgedDiagnosis> judge_diagnoses(const ExperimentModel& model) {
     std::vector<JudgedDiagnosis> judged;
-    for (Diagnosis& diagnosis : diagnose(model.system)) {
-        judged.push_back(judge(tables, facts, model, interpretation, std::move(diagnosis)));
-    }
+    for (Diagnosis& diagnosis : diagnose(model.system)) judged.push_back(judge(model, std::move(diagnosis)));
     std::stable_sort(judged.begin(), judged.end(), [](const JudgedDiagnosis& a, const JudgedDiagnosis& b) {
         return a.improbability < b.improbability;
     });

@@ -21,8 +21,7 @@ struct JudgedDiagnosis {
 };
 
 /// All diagnoses of a model, the most plausible first.
-std::vector<JudgedDiagnosis> judge_diagnoses(const PublishedTables& tables, const SceneFacts& facts,
-                                             const ExperimentModel& model, const Interpretation& interpretation);
+std::vector<JudgedDiagnosis> judge_diagnoses(const ExperimentModel& model);
 
 /// The constraint of a suspect's figures.
 const Constraint& constraint_of(const ExperimentModel& model, std::size_t suspect);

@@ -87,7 +87,7 @@ Correction correct(std::string_view printed, Range values, NumberFormat format, 
     std::set<std::string> tried;
     const auto offer = [&](const std::string& text) {
         if (!is_possible(text, values, format, rays)) return;
-        if (!tried.insert(text).second || !is_consistent(*printed_range(*parse_printed(text), format))) return;
+        if (!tried.insert(text).second || !is_consistent(*printed_range(text, format))) return;
         ++possible;
         const int edits = distance(printed, text);
         const double away = std::abs(parse_printed(text)->value() - middle);

@@ -16,6 +16,10 @@ namespace {
 using Conflict = std::vector<std::size_t>;
 using Spared = std::set<std::size_t>;  ///< suspects that must not be blamed
 
+bool is_hit(const Conflict& conflict, const Blame& blame) {
+    return std::any_of(conflict.begin(), conflict.end(), [&](std::size_t s) { return blame[s]; });
+}
+
 /// What a search may still take. Some seconds; it may double with every conflict.
 struct Budget {
     std::uint64_t steps = 50'000'000;
@@ -38,10 +42,6 @@ class HittingSet {
     [[nodiscard]] const std::optional<Blame>& best() const { return best_; }
 
   private:
-    [[nodiscard]] bool is_hit(const Conflict& conflict) const {
-        return std::any_of(conflict.begin(), conflict.end(), [&](std::size_t s) { return chosen_[s]; });
-    }
-
     /// What is left to do: the conflict with the fewest ways to hit it, and the least that hitting all will cost.
     struct Rest {
         std::optional<Conflict> narrowest;  ///< only suspects that may be chosen
@@ -51,7 +51,7 @@ class HittingSet {
         Rest rest;
         Blame touched(system_.suspects.size());
         for (const Conflict& conflict : conflicts_) {
-            if (is_hit(conflict)) continue;
+            if (is_hit(conflict, chosen_)) continue;
             Conflict free;
             double cheapest = std::numeric_limits<double>::infinity();
             bool disjoint = true;
@@ -116,7 +116,7 @@ std::optional<std::size_t> busiest(const ConstraintSystem& system, const std::ve
                                    const Blame& blame) {
     std::vector<double> share(system.suspects.size(), 0.0);
     for (const Conflict& conflict : conflicts) {
-        if (std::any_of(conflict.begin(), conflict.end(), [&](std::size_t s) { return blame[s]; })) continue;
+        if (is_hit(conflict, blame)) continue;
         for (const std::size_t s : conflict) share[s] += 1 / system.suspects[s].cost;
     }
     const auto most = std::max_element(share.begin(), share.end());

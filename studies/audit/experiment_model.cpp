@@ -20,12 +20,7 @@ class ModelBuilder {
   public:
     ModelBuilder(const PublishedTables& tables, const SceneFacts& facts, const Experiment& experiment,
                  const Interpretation& interpretation, DistributionCache& cache, double z_limit)
-        : tables_(tables),
-          facts_(facts),
-          experiment_(experiment),
-          interpretation_(interpretation),
-          z_limit_(z_limit),
-          faces_(facts.faces()) {
+        : model_{tables, facts, experiment, interpretation}, z_limit_(z_limit), faces_(facts.faces()) {
         for (const std::size_t f : experiment.figures) {
             const Figure& figure = tables.figures[f];
             if (figure.kind == FigureKind::form_factor) values_of_pair_[{figure.from, figure.to}].push_back(f);
@@ -48,7 +43,7 @@ class ModelBuilder {
             add_closure();
             add_parity();
         }
-        if (pairs) add_reciprocity(facts_, experiment_, printed_variables(), z_limit_, model_);
+        if (pairs) add_reciprocity(printed_variables(), z_limit_, model_);
         for (const std::size_t figure : experiment_.figures) add_figure(figure);
         return std::move(model_);
     }
@@ -188,8 +183,7 @@ class ModelBuilder {
 
     Constraint constraint_of(const Figure& figure) const {
         Constraint constraint;
-        const auto number = parse_printed(figure.printed);
-        const auto range = number ? printed_range(*number, format_of(figure, interpretation_)) : std::nullopt;
+        const auto range = printed_range(figure.printed, format_of(figure, model_.interpretation));
         constraint.values = range.value_or(Range{1, 0});
         constraint.relation = range ? Relation::print : Relation::printing;
         switch (figure.kind) {
@@ -218,7 +212,7 @@ class ModelBuilder {
     /// Errors may have been computed from the value as printed, and from either of two references; where the true one
     /// is not known exactly, nothing tells how they were rounded.
     [[nodiscard]] Range widened(Range percent, const Reference& reference) const {
-        const double half_unit = 0.5 * printed_unit(reference.value, interpretation_.values);
+        const double half_unit = 0.5 * printed_unit(reference.value, model_.interpretation.values);
         const double either = facts_.exact ? 0 : 0.5 * (percent.high - percent.low);
         const double slack = either + 100 * (half_unit + reference.uncertainty) / reference.value;
         return {percent.low - slack, percent.high + slack};
@@ -228,7 +222,7 @@ class ModelBuilder {
     /// do.
     [[nodiscard]] Range without_ties(Range range) const {
         if (sampled()) return range;
-        const double margin = 1e-5 * printed_unit(range.middle(), interpretation_.values);
+        const double margin = 1e-5 * printed_unit(range.middle(), model_.interpretation.values);
         return {range.low + margin, range.high - margin};
     }
 
@@ -258,8 +252,8 @@ class ModelBuilder {
         Constraint constraint = constraint_of(figure);
         if (figure.kind != FigureKind::sum_relative_error) link.quantity = constraint.terms.front();
         if (figure.kind == FigureKind::relative_error) {
-            if (!interpretation_.reference[index]) return;
-            const Reference& reference = *interpretation_.reference[index];
+            if (!model_.interpretation.reference[index]) return;
+            const Reference& reference = *model_.interpretation.reference[index];
             constraint.reference = reference.value / pair(figure).factor;
             constraint.values = widened(constraint.values, reference);
         }
@@ -274,7 +268,7 @@ class ModelBuilder {
             constraint.suspect = model_.system.suspects.size();
             Suspect suspect{.figures = {index}, .assumption = {}};
             if (figure.kind == FigureKind::relative_error &&
-                follows_from_print(figure, constraint.values, interpretation_.reference[index]->value)) {
+                follows_from_print(figure, constraint.values, model_.interpretation.reference[index]->value)) {
                 suspect.cost = suspect.weight = consequence;
             }
             model_.system.suspects.push_back(std::move(suspect));
@@ -289,9 +283,7 @@ class ModelBuilder {
         const auto values = values_of_pair_.find({error.from, error.to});
         if (values == values_of_pair_.end()) return false;
         return std::any_of(values->second.begin(), values->second.end(), [&](std::size_t f) {
-            const Figure& value = tables_.figures[f];
-            const auto number = parse_printed(value.printed);
-            const auto range = number ? printed_range(*number, interpretation_.values) : std::nullopt;
+            const auto range = printed_range(tables_.figures[f].printed, model_.interpretation.values);
             return range && error_fits(*range, percent, reference);
         });
     }
@@ -303,18 +295,39 @@ class ModelBuilder {
         return {figure.kind, figure.printed, constraint.reference, term.variable, term.factor};
     }
 
-    const PublishedTables& tables_;
-    const SceneFacts& facts_;
-    const Experiment& experiment_;
-    const Interpretation& interpretation_;
+    ExperimentModel model_;
+    const PublishedTables& tables_ = model_.tables;
+    const SceneFacts& facts_ = model_.facts;
+    const Experiment& experiment_ = model_.experiment;
     double z_limit_;
     std::size_t faces_;
     std::map<Print, std::size_t> constraint_of_print_;
     std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> values_of_pair_;  ///< figures
-    ExperimentModel model_;
 };
 
 }  // namespace
+
+std::vector<std::size_t> prints_of(const ExperimentModel& model, const std::vector<Term>& terms) {
+    std::vector<std::size_t> figures;
+    for (const FigureLink& link : model.links) {
+        if (!is_value(model.tables.figures[link.figure])) continue;
+        const bool part = std::any_of(terms.begin(), terms.end(),
+                                      [&](const Term& term) { return term.variable == link.quantity->variable; });
+        if (part) figures.push_back(link.figure);
+    }
+    return figures;
+}
+
+std::optional<JointDistance> spread_within(const ExperimentModel& model, const std::vector<Range>& ranges) {
+    if (!model.distribution) return std::nullopt;
+    std::vector<SampledValue> values;
+    for (const FigureLink& link : model.links) {
+        if (!is_value(model.tables.figures[link.figure])) continue;
+        const Range range = ranges[link.quantity->variable];
+        values.push_back({link.figure, {link.quantity->factor * range.low, link.quantity->factor * range.high}});
+    }
+    return weigh_spread(model.tables, model.facts, *model.distribution, *model.experiment.rays_per_face, values);
+}
 
 ExperimentModel build_model(const PublishedTables& tables, const SceneFacts& facts, const Experiment& experiment,
                             const Interpretation& interpretation, DistributionCache& cache, double z_limit) {

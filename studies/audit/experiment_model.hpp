@@ -3,6 +3,7 @@
 #include "studies/audit/constraint_system.hpp"
 #include "studies/audit/experiment.hpp"
 #include "studies/audit/scene_facts.hpp"
+#include "studies/audit/spread.hpp"
 #include "studies/published/published.hpp"
 
 #include <cstddef>
@@ -19,16 +20,26 @@ struct FigureLink {
     std::size_t constraint = 0;
 };
 
-/// An experiment as unknown quantities and relations.
+/// An experiment as unknown quantities and relations, with what it was made from, which outlives it.
 struct ExperimentModel {
-    ConstraintSystem system;
-    std::vector<FigureLink> links;
-    std::vector<std::size_t> sums;               ///< [face]: variable
-    std::map<std::size_t, Term> pairs;           ///< [from * faces + to]: variable; empty unless a pair is printed
-    std::optional<SrDistribution> distribution;  ///< sampling methods only
+    const PublishedTables& tables;
+    const SceneFacts& facts;
+    const Experiment& experiment;
+    Interpretation interpretation;
+    ConstraintSystem system{};
+    std::vector<FigureLink> links{};
+    std::vector<std::size_t> sums{};               ///< [face]: variable
+    std::map<std::size_t, Term> pairs{};           ///< [from * faces + to]: variable; empty unless a pair is printed
+    std::optional<SrDistribution> distribution{};  ///< sampling methods only
 };
 
-/// Builds the model.
+/// Figures that print values of the variables in these terms.
+std::vector<std::size_t> prints_of(const ExperimentModel& model, const std::vector<Term>& terms);
+
+/// The joint distance of an experiment's pairs and sums from the truth, by the ranges of the model's variables; empty
+/// where nothing can vary.
+std::optional<JointDistance> spread_within(const ExperimentModel& model, const std::vector<Range>& ranges);
+
 /// @param z_limit  standard deviations beyond which a Monte Carlo value counts as impossible
 ExperimentModel build_model(const PublishedTables& tables, const SceneFacts& facts, const Experiment& experiment,
                             const Interpretation& interpretation, DistributionCache& cache, double z_limit);

@@ -1,6 +1,5 @@
 #include "studies/audit/explain.hpp"
 
-#include "studies/audit/explain_assumption.hpp"
 #include "studies/audit/reciprocity.hpp"
 
 #include <fmt/format.h>
@@ -30,16 +29,8 @@ std::vector<std::size_t> without(const std::vector<std::size_t>& all, const std:
 /// Speaks about the figures of one experiment.
 class Explainer {
   public:
-    Explainer(const PublishedTables& tables, const SceneFacts& facts, const Experiment& experiment,
-              const ExperimentModel& model, const Interpretation& interpretation,
-              const std::vector<JudgedDiagnosis>& diagnoses)
-        : tables_(tables),
-          facts_(facts),
-          experiment_(experiment),
-          model_(model),
-          interpretation_(interpretation),
-          diagnoses_(diagnoses),
-          best_(diagnoses.front()) {}
+    Explainer(const ExperimentModel& model, const std::vector<JudgedDiagnosis>& diagnoses)
+        : model_(model), diagnoses_(diagnoses), best_(diagnoses.front()) {}
 
     std::vector<Finding> explain() {
         std::vector<Finding> findings;
@@ -95,8 +86,7 @@ class Explainer {
                 sentences.push_back(sentence(s, *correction));
                 explain_figure(s, *correction, finding);
             } else {
-                sentences.push_back(
-                    explain_assumption(tables_, facts_, experiment_, model_, best_.diagnosis, s, finding));
+                sentences.push_back(explain_assumption(model_, best_.diagnosis, s, finding));
             }
         }
         finding.statement = fmt::format("{}", fmt::join(sentences, " "));
@@ -107,7 +97,7 @@ class Explainer {
         if (finding.blamed.empty()) {
             finding.id = fmt::format("not so: {}", model_.system.suspects[group.front()].assumption);
         } else {
-            const Figure& figure = tables_.figures[finding.blamed.front()];
+            const Figure& figure = model_.tables.figures[finding.blamed.front()];
             finding.id = fmt::format("{}.{}.{}", figure.table, figure.row + 1, figure.column + 1);
             if (finding.blamed.size() > 1) finding.id += fmt::format("+{}", finding.blamed.size() - 1);
         }
@@ -122,7 +112,8 @@ class Explainer {
 
     std::string sentence(std::size_t suspect, const Correction& correction) const {
         const auto& figures = model_.system.suspects[suspect].figures;
-        std::string text = fmt::format("{} is printed as {}", describe(tables_, figures.front()), correction.printed);
+        std::string text =
+            fmt::format("{} is printed as {}", describe(model_.tables, figures.front()), correction.printed);
         if (differs(correction)) {
             text += fmt::format(" but should be {}{}.", correction.certain ? "" : "near ", correction.meant);
         } else {
@@ -130,8 +121,7 @@ class Explainer {
         }
         // Values that are possible one by one need not be possible together.
         const Range printed = constraint_of(model_, suspect).values;
-        const bool apart = correction.values.low > printed.high || correction.values.high < printed.low;
-        if (!correction.certain && apart)
+        if (!correction.certain && !correction.values.meets(printed))
             text += fmt::format(" Everything else leaves {}.", in_words(correction.values));
         if (figures.size() > 1) text += fmt::format(" The same holds for {} equal figures.", figures.size() - 1);
         return text;
@@ -146,21 +136,20 @@ class Explainer {
     /// Every relation that does not allow the printed figure.
     void explain_figure(std::size_t suspect, const Correction& correction, Finding& finding) const {
         const Constraint& own = constraint_of(model_, suspect);
-        const Figure& figure = tables_.figures[correction.figure];
-        const NumberFormat format = format_of(figure, interpretation_);
+        const Figure& figure = model_.tables.figures[correction.figure];
+        const NumberFormat format = format_of(figure, model_.interpretation);
         if (own.relation == Relation::printing) {
-            finding.evidence.push_back(
-                {Relation::printing,
-                 fmt::format("{} has more digits than numbers {}.", figure.printed, describe(format)),
-                 {correction.figure}});
+            finding.cite(Relation::printing,
+                         fmt::format("{} has more digits than numbers {}.", figure.printed, describe(format)),
+                         {correction.figure});
             return;
         }
         if (const auto rays = rays_of(model_, own); rays && !possible_hits(own.values, *rays)) {
-            finding.evidence.push_back(
-                {Relation::integrality,
-                 fmt::format("No whole number of {} rays is printed as {} ({:.2f} hits).", *rays, figure.printed,
-                             parse_printed(figure.printed)->value() * static_cast<double>(*rays)),
-                 {correction.figure}});
+            finding.cite(
+                Relation::integrality,
+                fmt::format("No whole number of {} rays is printed as {} ({:.2f} hits).", *rays, figure.printed,
+                            parse_printed(figure.printed)->value() * static_cast<double>(*rays)),
+                {correction.figure});
         }
         if (own.kind == ConstraintKind::deviation) {
             explain_error(own, correction, finding);
@@ -180,32 +169,23 @@ class Explainer {
     }
 
     void explain_error(const Constraint& own, const Correction& correction, Finding& finding) const {
-        Evidence evidence{own.relation, {}, {}};
-        if (own.relation == Relation::relative_error) {
-            evidence.text = fmt::format("A value of {} lies {} % off the reference {:.9g}.",
-                                        in_words(best_.diagnosis.ranges[own.terms.front().variable]),
-                                        in_words(correction.values), own.reference);
-        } else {
-            evidence.text = fmt::format("The errors of the rows add up to {} %.", in_words(correction.values));
-        }
-        for (const FigureLink& link : model_.links) {
-            if (!link.quantity || model_.system.constraints[link.constraint].kind != ConstraintKind::linear) continue;
-            const bool part = std::any_of(own.terms.begin(), own.terms.end(),
-                                          [&](const Term& term) { return term.variable == link.quantity->variable; });
-            if (part) evidence.figures.push_back(link.figure);
-        }
-        finding.evidence.push_back(std::move(evidence));
+        const std::string text =
+            own.relation == Relation::relative_error
+                ? fmt::format("A value of {} lies {} % off the reference {:.9g}.",
+                              in_words(best_.diagnosis.ranges[own.terms.front().variable]), in_words(correction.values),
+                              own.reference)
+                : fmt::format("The errors of the rows add up to {} %.", in_words(correction.values));
+        finding.cite(own.relation, text, prints_of(model_, own.terms));
     }
 
     void add_evidence(const Constraint& constraint, const Term& quantity, Range allowed, Range printed,
                       Finding& finding) const {
         const double low = allowed.low * quantity.factor;
         const double high = allowed.high * quantity.factor;
-        if (high >= printed.low && low <= printed.high) return;
+        if (printed.meets({low, high})) return;
         if (constraint.relation == Relation::row_sum && !is_stated(constraint.terms.front().variable)) return;
-        Evidence evidence{constraint.relation, {}, figures_behind(model_, constraint)};
-        evidence.text = fmt::format("{} leaves {}.", reason(constraint), in_words({low, high}));
-        finding.evidence.push_back(std::move(evidence));
+        finding.cite(constraint.relation, fmt::format("{} leaves {}.", reason(constraint), in_words({low, high})),
+                     figures_behind(model_, constraint));
     }
 
     /// Whether anything but its pairs tells a row sum; otherwise it is no evidence about them.
@@ -221,8 +201,9 @@ class Explainer {
             case Relation::row_sum:
                 return fmt::format("The sum of row {}", row_of(constraint.terms.front().variable));
             case Relation::reciprocity:
-                return fmt::format("Reciprocity{} ({})", experiment_.rays_per_face ? ", as far as chance allows," : "",
-                                   both_ways(tables_, facts_, model_, constraint));
+                return fmt::format("Reciprocity{} ({})",
+                                   model_.experiment.rays_per_face ? ", as far as chance allows," : "",
+                                   both_ways(model_, constraint));
             case Relation::closure:
                 return "Closure (a row of own rays sums to 1)";
             case Relation::parity:
@@ -241,7 +222,7 @@ class Explainer {
     /// Label of the face whose row sum is `variable`; the first of faces that look alike.
     [[nodiscard]] std::string row_of(std::size_t variable) const {
         const auto found = std::find(model_.sums.begin(), model_.sums.end(), variable);
-        return facts_.scene.faces[static_cast<std::size_t>(found - model_.sums.begin())];
+        return model_.facts.scene.faces[static_cast<std::size_t>(found - model_.sums.begin())];
     }
 
     void add_alternatives(const std::vector<std::size_t>& group, Finding& finding) const {
@@ -264,7 +245,7 @@ class Explainer {
                 }
                 for (const Correction& correction : other.corrections) {
                     if (correction.figure != suspect.figures.front()) continue;
-                    parts.push_back(fmt::format("{} should be {}{}", quote(tables_, correction.figure),
+                    parts.push_back(fmt::format("{} should be {}{}", quote(model_.tables, correction.figure),
                                                 correction.certain ? "" : "near ", correction.meant));
                 }
                 finding.involved.insert(finding.involved.end(), suspect.figures.begin(), suspect.figures.end());
@@ -280,11 +261,7 @@ class Explainer {
             fmt::format(" As likely, instead {}{}.", fmt::join(equal, ", or "), more ? ", or one of others" : "");
     }
 
-    const PublishedTables& tables_;
-    const SceneFacts& facts_;
-    const Experiment& experiment_;
     const ExperimentModel& model_;
-    const Interpretation& interpretation_;
     const std::vector<JudgedDiagnosis>& diagnoses_;
     const JudgedDiagnosis& best_;
 };
@@ -300,27 +277,17 @@ std::string in_words(Range range) {
 std::vector<std::size_t> figures_behind(const ExperimentModel& model, const Constraint& constraint) {
     if (constraint.suspect && constraint.relation != Relation::reciprocity)
         return model.system.suspects[*constraint.suspect].figures;
-    std::vector<std::size_t> figures;
-    if (constraint.relation == Relation::plausibility) return figures;
-    for (const FigureLink& link : model.links) {
-        if (!link.quantity || model.system.constraints[link.constraint].kind != ConstraintKind::linear) continue;
-        const bool part = std::any_of(constraint.terms.begin(), constraint.terms.end(),
-                                      [&](const Term& term) { return term.variable == link.quantity->variable; });
-        if (part) figures.push_back(link.figure);
-    }
-    return figures;
+    if (constraint.relation == Relation::plausibility) return {};
+    return prints_of(model, constraint.terms);
 }
 
 std::string quote(const PublishedTables& tables, std::size_t figure) {
     return fmt::format("{} (\"{}\")", describe(tables, figure), tables.figures[figure].printed);
 }
 
-std::vector<Finding> explain_diagnosis(const PublishedTables& tables, const SceneFacts& facts,
-                                       const Experiment& experiment, const ExperimentModel& model,
-                                       const Interpretation& interpretation,
-                                       const std::vector<JudgedDiagnosis>& diagnoses) {
+std::vector<Finding> explain_diagnosis(const ExperimentModel& model, const std::vector<JudgedDiagnosis>& diagnoses) {
     if (diagnoses.empty()) return {};
-    return Explainer(tables, facts, experiment, model, interpretation, diagnoses).explain();
+    return Explainer(model, diagnoses).explain();
 }
 
 }  // namespace ff::studies::audit

@@ -11,10 +11,11 @@ namespace ff::studies::audit {
 
 /// The findings of the first diagnosis; other diagnoses become alternatives. Blamed figures about the same quantity
 /// make one finding.
-std::vector<Finding> explain_diagnosis(const PublishedTables& tables, const SceneFacts& facts,
-                                       const Experiment& experiment, const ExperimentModel& model,
-                                       const Interpretation& interpretation,
-                                       const std::vector<JudgedDiagnosis>& diagnoses);
+std::vector<Finding> explain_diagnosis(const ExperimentModel& model, const std::vector<JudgedDiagnosis>& diagnoses);
+
+/// Says why the assumption of a blamed suspect does not hold, and adds the evidence to `finding`.
+std::string explain_assumption(const ExperimentModel& model, const Diagnosis& diagnosis, std::size_t suspect,
+                               Finding& finding);
 
 /// "0.19902" or "0.19902 to 0.19903".
 std::string in_words(Range range);

@@ -1,5 +1,3 @@
-#include "studies/audit/explain_assumption.hpp"
-
 #include "studies/audit/blame.hpp"
 #include "studies/audit/explain.hpp"
 #include "studies/audit/reciprocity.hpp"
@@ -11,8 +9,7 @@
 namespace ff::studies::audit {
 namespace {
 
-std::string explain_reciprocity(const PublishedTables& tables, const SceneFacts& facts, const Experiment& experiment,
-                                const ExperimentModel& model, const Diagnosis& diagnosis, std::size_t suspect,
+std::string explain_reciprocity(const ExperimentModel& model, const Diagnosis& diagnosis, std::size_t suspect,
                                 Finding& finding) {
     constexpr std::size_t most_shown = 12;
     std::size_t broken = 0;
@@ -21,21 +18,22 @@ std::string explain_reciprocity(const PublishedTables& tables, const SceneFacts&
         if (constraint.suspect != suspect) continue;
         const Range allowed = project(constraint, model.system, diagnosis.ranges, 0);
         const Range left = diagnosis.ranges[constraint.terms.front().variable];
-        if ((allowed.low <= left.high && allowed.high >= left.low) || ++broken > most_shown) continue;
-        const std::string both = both_ways(tables, facts, model, constraint);
+        if (allowed.meets(left) || ++broken > most_shown) continue;
+        const std::string both = both_ways(model, constraint);
         if (broken == 1) first = both;
-        finding.evidence.push_back(
-            {Relation::reciprocity, fmt::format("It is broken by {}.", both), figures_behind(model, constraint)});
+        finding.cite(Relation::reciprocity, fmt::format("It is broken by {}.", both),
+                     figures_behind(model, constraint));
     }
     if (broken > 1) first += fmt::format(", and {} other pair{} of figures", broken - 1, broken == 2 ? "" : "s");
     return fmt::format(
         "{}: {} break reciprocity by more than rounding can. Either the method does not keep it or "
         "figures are wrong.",
-        describe(experiment), first);
+        describe(model.experiment), first);
 }
 
-std::string explain_closure(const PublishedTables& tables, const Experiment& experiment, const ExperimentModel& model,
-                            const Diagnosis& diagnosis, std::size_t suspect, Finding& finding) {
+std::string explain_closure(const ExperimentModel& model, const Diagnosis& diagnosis, std::size_t suspect,
+                            Finding& finding) {
+    const Experiment& experiment = model.experiment;
     const auto& constraints = model.system.constraints;
     const auto broken = std::find_if(constraints.begin(), constraints.end(), [&](const Constraint& constraint) {
         return constraint.suspect == suspect &&
@@ -61,19 +59,18 @@ std::string explain_closure(const PublishedTables& tables, const Experiment& exp
                                    in_words(range), rays * (1 - range.high));
     if (range.high > range.low) text += fmt::format(" to {:.0f}", rays * (1 - range.low));
     text += fmt::format(" of {:.0f} rays were lost", rays);
-    for (const std::size_t f : evidence.figures) text += fmt::format("; {}", quote(tables, f));
+    for (const std::size_t f : evidence.figures) text += fmt::format("; {}", quote(model.tables, f));
     finding.evidence.push_back(std::move(evidence));
     return text + ".";
 }
 
 }  // namespace
 
-std::string explain_assumption(const PublishedTables& tables, const SceneFacts& facts, const Experiment& experiment,
-                               const ExperimentModel& model, const Diagnosis& diagnosis, std::size_t suspect,
+std::string explain_assumption(const ExperimentModel& model, const Diagnosis& diagnosis, std::size_t suspect,
                                Finding& finding) {
-    return constraint_of(model, suspect).relation == Relation::closure
-               ? explain_closure(tables, experiment, model, diagnosis, suspect, finding)
-               : explain_reciprocity(tables, facts, experiment, model, diagnosis, suspect, finding);
+    const auto explain =
+        constraint_of(model, suspect).relation == Relation::closure ? explain_closure : explain_reciprocity;
+    return explain(model, diagnosis, suspect, finding);
 }
 
 }  // namespace ff::studies::audit

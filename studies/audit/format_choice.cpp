@@ -36,9 +36,7 @@ double count_causes(const Judgement& judgement, std::span<const Experiment> expe
             const Suspect& suspect = model.system.suspects[s];
             causes += suspect.figures.empty() ? static_cast<double>(most_misprints) : suspect.cost;
         }
-        if (!model.distribution) continue;
-        const auto spread = weigh_spread(judgement.tables, judgement.facts, *model.distribution,
-                                         *experiment.rays_per_face, values_within(model, diagnosis->ranges));
+        const auto spread = spread_within(model, diagnosis->ranges);
         if (spread && is_implausible(*spread, judgement.spread_level)) causes += 1;
     }
     return causes;
@@ -50,16 +48,6 @@ bool is_implausible(const JointDistance& spread, double level) {
     return spread.too_far < level || spread.too_close < level;
 }
 
-std::vector<SampledValue> values_within(const ExperimentModel& model, const std::vector<Range>& ranges) {
-    std::vector<SampledValue> values;
-    for (const FigureLink& link : model.links) {
-        if (!link.quantity || model.system.constraints[link.constraint].kind != ConstraintKind::linear) continue;
-        const Range range = ranges[link.quantity->variable];
-        values.push_back({link.figure, {link.quantity->factor * range.low, link.quantity->factor * range.high}});
-    }
-    return values;
-}
-
 std::optional<Finding> judge_printing_rule(const PublishedTables& tables, const InferredFormat& inferred) {
     const auto stated = stated_rounding(tables);
     if (!stated || inferred.format.rounding == *stated) return std::nullopt;
@@ -69,16 +57,12 @@ std::optional<Finding> judge_printing_rule(const PublishedTables& tables, const 
     f.statement =
         fmt::format("The publication says that its figures are {}, but those of {} are {}.",
                     *stated == Rounding::rounded ? "rounded" : "truncated", inferred.method, describe(inferred.format));
-    f.evidence.push_back({Relation::printing_rule,
-                          fmt::format("Otherwise at least {:.0f} more figures would be wrong.",
-                                      std::ceil(handicap(tables, inferred.format))),
-                          {}});
+    f.cite(Relation::printing_rule, fmt::format("Otherwise at least {:.0f} more figures would be wrong.",
+                                                std::ceil(handicap(tables, inferred.format))));
     const auto add = [&](const FormatEvidence& e) {
-        f.evidence.push_back({Relation::integrality,
-                              fmt::format("{}: {} of {} figures are a whole number of hits, {:.1f} expected by chance "
-                                          "(p = {:.2g}).",
-                                          describe(e.format), e.whole, e.figures, e.expected, e.chance),
-                              {}});
+        f.cite(Relation::integrality,
+               fmt::format("{}: {} of {} figures are a whole number of hits, {:.1f} expected by chance (p = {:.2g}).",
+                           describe(e.format), e.whole, e.figures, e.expected, e.chance));
     };
     for (const FormatEvidence& e : inferred.evidence) {
         if (e.format == inferred.format) add(e);

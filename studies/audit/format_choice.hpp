@@ -27,9 +27,6 @@ struct Judgement {
 /// Whether chi-squared finds the values too far from, or too close to, the exact ones.
 bool is_implausible(const JointDistance& spread, double level);
 
-/// Possible values of an experiment's pairs and sums by the ranges of its model's variables.
-std::vector<SampledValue> values_within(const ExperimentModel& model, const std::vector<Range>& ranges);
-
 /// The candidate in which the fewest causes explain all contradictions of a method's experiments, the likeliest by
 /// itself of several. One that is not rounded or truncated as stated must save so many misprints
 /// that the odds for it are overwhelming.

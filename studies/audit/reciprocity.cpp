@@ -25,7 +25,8 @@ struct TiedPair {
 };
 
 /// Each two variables once: congruent pairs share theirs, and a completed entry has that of the one it follows from.
-std::vector<TiedPair> tied_pairs(std::size_t faces, const ExperimentModel& model) {
+std::vector<TiedPair> tied_pairs(const ExperimentModel& model) {
+    const std::size_t faces = model.facts.faces();
     std::vector<TiedPair> tied;
     std::set<std::pair<std::size_t, std::size_t>> seen;
     for (std::size_t i = 0; i < faces; ++i) {
@@ -36,10 +37,6 @@ std::vector<TiedPair> tied_pairs(std::size_t faces, const ExperimentModel& model
         }
     }
     return tied;
-}
-
-bool overlap(Range a, Range b) {
-    return a.low <= b.high && b.low <= a.high;
 }
 
 /// What is printed both ways, counted.
@@ -59,13 +56,13 @@ BothWays count_both_ways(const SceneFacts& facts, const std::vector<TiedPair>& t
         const double ratio = facts.areas[pair.from] / facts.areas[pair.to];
         const double off = facts.area_error[pair.from] + facts.area_error[pair.to];
         const Range expected{there->second.low * ratio * (1 - off), there->second.high * ratio * (1 + 2 * off)};
-        if (overlap(expected, back->second)) {
+        if (expected.meets(back->second)) {
             ++count.kept;
             continue;
         }
         ++count.broken;
-        if (!overlap(there->second, facts.factor(pair.from, pair.to)) &&
-            !overlap(back->second, facts.factor(pair.to, pair.from)))
+        if (!there->second.meets(facts.factor(pair.from, pair.to)) &&
+            !back->second.meets(facts.factor(pair.to, pair.from)))
             ++count.both_off;
     }
     return count;
@@ -85,10 +82,11 @@ Suspect keeps_reciprocity(const Experiment& experiment, const BothWays& count) {
 
 }  // namespace
 
-void add_reciprocity(const SceneFacts& facts, const Experiment& experiment, const std::map<std::size_t, Range>& printed,
-                     double z_limit, ExperimentModel& model) {
+void add_reciprocity(const std::map<std::size_t, Range>& printed, double z_limit, ExperimentModel& model) {
+    const SceneFacts& facts = model.facts;
+    const Experiment& experiment = model.experiment;
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const std::vector<TiedPair> tied = tied_pairs(facts.faces(), model);
+    const std::vector<TiedPair> tied = tied_pairs(model);
     const bool direct = experiment.completion == Completion::direct;
     std::optional<std::size_t> suspect;
     if (!tied.empty() && direct && !experiment.rays_per_face) {
@@ -123,22 +121,22 @@ void add_reciprocity(const SceneFacts& facts, const Experiment& experiment, cons
     }
 }
 
-std::string both_ways(const PublishedTables& tables, const SceneFacts& facts, const ExperimentModel& model,
-                      const Constraint& constraint) {
-    const std::vector<TiedPair> tied = tied_pairs(facts.faces(), model);
+std::string both_ways(const ExperimentModel& model, const Constraint& constraint) {
+    const std::vector<TiedPair> tied = tied_pairs(model);
     const auto pair = std::find_if(tied.begin(), tied.end(), [&](const TiedPair& p) {
         return p.there == constraint.terms.front().variable && p.back == constraint.terms.back().variable;
     });
     FF_EXPECT(pair != tied.end());
     const auto side = [&](std::size_t variable, std::size_t from, std::size_t to) {
         const auto print = std::find_if(model.links.begin(), model.links.end(), [&](const FigureLink& link) {
-            return tables.figures[link.figure].kind == FigureKind::form_factor && link.quantity->variable == variable;
+            return model.tables.figures[link.figure].kind == FigureKind::form_factor &&
+                   link.quantity->variable == variable;
         });
-        const auto& faces = facts.scene.faces;
-        return fmt::format(
-            "{} from an area of {:.6g}",
-            print == model.links.end() ? fmt::format("F {}-{}", faces[from], faces[to]) : quote(tables, print->figure),
-            facts.areas[from]);
+        const auto& faces = model.facts.scene.faces;
+        return fmt::format("{} from an area of {:.6g}",
+                           print == model.links.end() ? fmt::format("F {}-{}", faces[from], faces[to])
+                                                      : quote(model.tables, print->figure),
+                           model.facts.areas[from]);
     };
     return fmt::format("{} and {}", side(pair->there, pair->from, pair->to), side(pair->back, pair->to, pair->from));
 }

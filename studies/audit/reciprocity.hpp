@@ -16,12 +16,10 @@ inline constexpr std::size_t most_misprints = 12;
 /// other; as far as chance allows where every row has its own rays; and as an assumption, which can be given up, where
 /// a deterministic method computes both ways, since its own error may be larger than what is printed.
 /// @param printed  [variable]: what prints of a pair allow, all together
-void add_reciprocity(const SceneFacts& facts, const Experiment& experiment, const std::map<std::size_t, Range>& printed,
-                     double z_limit, ExperimentModel& model);
+void add_reciprocity(const std::map<std::size_t, Range>& printed, double z_limit, ExperimentModel& model);
 
 /// The figures that a constraint of reciprocity ties, with the areas of their faces. Congruent pairs share it: one of
 /// each is named.
-std::string both_ways(const PublishedTables& tables, const SceneFacts& facts, const ExperimentModel& model,
-                      const Constraint& constraint);
+std::string both_ways(const ExperimentModel& model, const Constraint& constraint);
 
 }  // namespace ff::studies::audit
