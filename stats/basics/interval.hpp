@@ -30,6 +30,7 @@ struct Interval {
 
     [[nodiscard]] bool contains(double value) const { return low <= value && value <= high; }
     [[nodiscard]] double width() const { return high - low; }
+    [[nodiscard]] Interval shifted(double by) const { return {low + by, high + by, level, method, n}; }
     /// An infinite end tells that the observations prove nothing on that side.
     [[nodiscard]] bool is_finite() const { return std::isfinite(low) && std::isfinite(high); }
 };

@@ -136,10 +136,6 @@ CellAnalysis analyse_cell(const Store& store, std::size_t cell_index) {
     }();
     const std::optional<std::size_t> pilot = plan.spec.until ? std::optional(plan.spec.until->pilot) : std::nullopt;
     const double detectable = detectable_in_sigmas(plan, tested, estimates.trials(), pilot);
-    const auto limits_of = [&](Quantity quantity) {
-        return known_limits(method, scene, cell.subdivision, quantity, estimates.evaluations_per_face,
-                            estimates.trials());
-    };
     for (const Quantity quantity : all_quantities(estimates)) {
         SummaryRequest request;
         request.quantity = quantity;
@@ -161,7 +157,7 @@ CellAnalysis analyse_cell(const Store& store, std::size_t cell_index) {
         request.detectable_bias = detectable;
         request.pair_alpha = level_of_pair(plan, tested);
         request.pilot = pilot;
-        request.limits = limits_of(quantity);
+        request.limits = known_limits(plan, estimates, quantity);
         request.key = derive_key(plan.spec.seed, fmt::format("summary|{}|{}|{}|{}", cell.canonical,
                                                              name(method.completion), quantity.from, quantity.to));
         findings.summaries.push_back(summarise(estimates.values(quantity), request));
@@ -171,7 +167,7 @@ CellAnalysis analyse_cell(const Store& store, std::size_t cell_index) {
             class_variance(findings, pairs_of_class(scene, known_pairs(pairs, known), each));
         if (variance == VarianceStatus::undefined) continue;
         if (const auto error = class_error(estimates, scene, known, pairs, each, variance, plan.spec.level,
-                                           [&](Quantity pair) { return limits_of(pair).unmet; }))
+                                           [&](Quantity pair) { return known_limits(plan, estimates, pair).unmet; }))
             findings.class_errors.push_back(*error);
     }
     for (const Quantity pair : pairs) {

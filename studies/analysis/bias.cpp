@@ -46,14 +46,9 @@ struct PairTester {
     [[nodiscard]] const Cell& cell() const { return plan.cells[estimates.cell]; }
     [[nodiscard]] const Method& method() const { return plan.spec.methods[cell().method]; }
 
-    [[nodiscard]] stats::KnownLimits limits_of(Quantity quantity) const {
-        return known_limits(method(), plan.scenes[cell().scene], cell().subdivision, quantity,
-                            estimates.evaluations_per_face, estimates.trials());
-    }
-
     /// Whether values that jump may make the difference where no evaluation has been.
     [[nodiscard]] bool may_be_unmet(const Summary& summary) const {
-        return std::abs(*summary.bias) <= limits_of(summary.quantity).unmet.reach(pair_alpha / 2);
+        return std::abs(*summary.bias) <= known_limits(plan, estimates, summary.quantity).unmet.reach(pair_alpha / 2);
     }
 
     /// Empty where nothing can be tested.
@@ -65,7 +60,7 @@ struct PairTester {
             if (hits) return test_hits(summary, *hits);
         }
         if (summary.variance != VarianceStatus::finite) return std::nullopt;
-        stats::KnownLimits limits = limits_of(summary.quantity);
+        stats::KnownLimits limits = known_limits(plan, estimates, summary.quantity);
         limits.rounding = rounding_of_bias(plan.scenes[cell().scene], summary.quantity);
         const auto pilot =
             plan.spec.until ? std::optional<std::size_t>(plan.spec.until->pilot) : std::optional<std::size_t>();
@@ -85,10 +80,7 @@ struct PairTester {
         if (truth <= 0 || truth >= 1) return std::nullopt;
         const double p = stats::binomial_two_sided_p(counts, truth);
         const auto of_bias = [&](double level) {
-            auto interval = stats::clopper_pearson_interval(counts, level);
-            interval.low -= truth;
-            interval.high -= truth;
-            return interval;
+            return stats::clopper_pearson_interval(counts, level).shifted(-truth);
         };
         return PairTest{.t = *summary.bias / std::sqrt(truth * (1 - truth) / static_cast<double>(counts.trials)),
                         .test = {.p = p, .student_p = p},

@@ -166,6 +166,13 @@ std::vector<Quantity> pairs_of_class(const Scene& scene, std::span<const Quantit
     return members;
 }
 
+std::vector<Quantity> known_pairs_of_class(const StudyPlan& plan, const Cell& cell, const KnownFactors& known,
+                                           PairClass wanted) {
+    const Scene& scene = plan.scenes[cell.scene];
+    const auto pairs = distinct_pairs(scene.faces.size(), plan.spec.methods[cell.method].completion);
+    return pairs_of_class(scene, known_pairs(pairs, known), wanted);
+}
+
 std::optional<stats::Measured> log_rmse(const ClassError& error, bool certain) {
     if (certain) return stats::Measured{std::log(error.rmse), {}};
     if (!error.mean_square) return std::nullopt;

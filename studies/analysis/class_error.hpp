@@ -70,6 +70,10 @@ std::vector<Quantity> known_pairs(std::span<const Quantity> pairs, const KnownFa
 /// The pairs of the class that face each other: others are exactly 0, without error.
 std::vector<Quantity> pairs_of_class(const Scene& scene, std::span<const Quantity> pairs, PairClass wanted);
 
+/// Those of a cell that are distinct and have an exact value.
+std::vector<Quantity> known_pairs_of_class(const StudyPlan& plan, const Cell& cell, const KnownFactors& known,
+                                           PairClass wanted);
+
 /// ln RMSE. Empty for trials without a finite variance, and for few of them.
 /// @param certain  no trials would show more: the method is deterministic, or its error is rounding
 std::optional<stats::Measured> log_rmse(const ClassError& error, bool certain = false);

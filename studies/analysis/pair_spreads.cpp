@@ -17,14 +17,11 @@ double relative_error(const stats::Measured& logarithm) {
 }
 
 std::optional<stats::Measured> log_variance_of(const StudyPlan& plan, const CellEstimates& estimates, Quantity pair) {
-    const Cell& cell = plan.cells[estimates.cell];
     std::vector<double> values = estimates.values(pair);
     const double first = values.front();  // trials that do not vary have deviations of exactly 0 from it
     for (double& value : values) value -= first;
-    const auto limits = known_limits(plan.spec.methods[cell.method], plan.scenes[cell.scene], cell.subdivision, pair,
-                                     estimates.evaluations_per_face, estimates.trials());
     const ClassError found = class_error_of(values, 1, estimates.evaluations_per_face, VarianceStatus::finite,
-                                            plan.spec.level, {limits.unmet});
+                                            plan.spec.level, {known_limits(plan, estimates, pair).unmet});
     return found.squared_deviation ? std::optional(log_variance(found)) : std::nullopt;
 }
 

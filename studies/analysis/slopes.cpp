@@ -168,14 +168,8 @@ class LadderFit {
     void allow_for_skewness(std::span<const stats::Rung> sizes, std::span<const Quantity> pairs, Slope& slope) const {
         std::vector<stats::Unmet> unmet;
         for (const CellEstimates& estimates : estimates_) {
-            const Cell& cell = plan_.cells[estimates.cell];
             std::vector<stats::Unmet> of_pairs;
-            for (const Quantity pair : pairs) {
-                of_pairs.push_back(known_limits(plan_.spec.methods[ladder_.method], plan_.scenes[ladder_.scene],
-                                                cell.subdivision, pair, estimates.evaluations_per_face,
-                                                estimates.trials())
-                                       .unmet);
-            }
+            for (const Quantity pair : pairs) of_pairs.push_back(known_limits(plan_, estimates, pair).unmet);
             unmet.push_back(unmet_squares(of_pairs, estimates.evaluations_per_face));
         }
         if (std::all_of(unmet.begin(), unmet.end(), [](const stats::Unmet& size) { return size.largest == 0; })) return;
@@ -220,35 +214,26 @@ RateFinding judge(const ClassSlopes& found, double level) {
     return *slope.slope > slope.slowest_expected ? RateFinding::slower : RateFinding::faster;
 }
 
-/// Every class of every ladder is looked at for a bend.
-void judge_straightness(std::vector<LadderSlopes>& ladders, double level) {
+/// Calls `use` with the p-value of every class of every ladder that has one, adjusted for all of them.
+template <class Use>
+void adjust_together(std::vector<LadderSlopes>& ladders, std::optional<double> Slope::*p, const Use& use) {
     std::vector<ClassSlopes*> family;
     std::vector<double> p_values;
     for (LadderSlopes& ladder : ladders) {
         for (ClassSlopes& found : ladder.classes) {
-            if (!found.judged().lack_of_fit_p) continue;
+            if (!(found.judged().*p)) continue;
             family.push_back(&found);
-            p_values.push_back(*found.judged().lack_of_fit_p);
+            p_values.push_back(*(found.judged().*p));
         }
     }
     const auto adjusted = stats::holm(p_values);
-    for (std::size_t i = 0; i < family.size(); ++i) family[i]->bent = adjusted[i] < 1 - level;
+    for (std::size_t i = 0; i < family.size(); ++i) use(*family[i], adjusted[i]);
 }
 
-/// Verdicts over the whole table.
+/// Verdicts over the whole table. Every class is looked at for a bend, too.
 void judge_together(std::vector<LadderSlopes>& ladders, double level) {
-    std::vector<ClassSlopes*> family;
-    std::vector<double> p_values;
-    for (LadderSlopes& ladder : ladders) {
-        for (ClassSlopes& found : ladder.classes) {
-            if (!found.judged().p) continue;
-            family.push_back(&found);
-            p_values.push_back(*found.judged().p);
-        }
-    }
-    const auto adjusted = stats::holm(p_values);
-    for (std::size_t i = 0; i < family.size(); ++i) family[i]->adjusted_p = adjusted[i];
-    judge_straightness(ladders, level);
+    adjust_together(ladders, &Slope::p, [](ClassSlopes& found, double p) { found.adjusted_p = p; });
+    adjust_together(ladders, &Slope::lack_of_fit_p, [&](ClassSlopes& found, double p) { found.bent = p < 1 - level; });
     for (LadderSlopes& ladder : ladders) {
         for (ClassSlopes& found : ladder.classes) found.finding = judge(found, level);
     }

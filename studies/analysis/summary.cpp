@@ -44,9 +44,7 @@ struct MeanOfTrials {
 MeanOfTrials mean_about(double centre, std::span<const double> values, const SummaryRequest& request) {
     const auto hits = request.binomial ? binomial_hits(values, *request.lattice) : std::nullopt;
     if (hits) {
-        auto interval = stats::clopper_pearson_interval(*hits, request.level);
-        interval.low -= centre;
-        interval.high -= centre;
+        const auto interval = stats::clopper_pearson_interval(*hits, request.level).shifted(-centre);
         const double p = request.reference.value_or(0);
         return {interval, 0, std::sqrt(p * (1 - p) * *request.lattice)};
     }
@@ -64,9 +62,7 @@ void add_mean(std::span<const double> values, const SummaryRequest& request, Sum
     const double centre = request.reference.value_or(values.front());
     const auto [interval, caution, known_spread] = mean_about(centre, values, request);
     if (!interval) return;
-    summary.mean_interval = interval;
-    summary.mean_interval->low += centre;
-    summary.mean_interval->high += centre;
+    summary.mean_interval = interval->shifted(centre);
     if (!request.reference) return;
     summary.bias_interval = interval;
     const auto pilot = request.pilot ? stats::pilot_of(values, *request.pilot) : std::nullopt;

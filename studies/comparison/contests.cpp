@@ -176,12 +176,8 @@ std::vector<double> budgets(const std::vector<Contender>& all, Equal equal) {
 /// Mean square error of the pairs of a class in each trial.
 std::vector<double> squares_of(const Store& store, std::size_t cell, PairClass pair_class) {
     const StudyPlan& plan = store.plan();
-    const Scene& scene = plan.scenes[plan.cells[cell].scene];
-    const KnownFactors known = known_factors(scene);
-    const auto pairs = pairs_of_class(
-        scene,
-        known_pairs(distinct_pairs(scene.faces.size(), plan.spec.methods[plan.cells[cell].method].completion), known),
-        pair_class);
+    const KnownFactors known = known_factors(plan.scenes[plan.cells[cell].scene]);
+    const auto pairs = known_pairs_of_class(plan, plan.cells[cell], known, pair_class);
     const auto errors = errors_of(load_estimates(store, cell), pairs, known);
     std::vector<double> squares(errors.size() / pairs.size(), 0.0);
     for (std::size_t i = 0; i < errors.size(); ++i)

@@ -74,11 +74,9 @@ class Errors {
         if (status == VarianceStatus::undefined) return std::nullopt;
         PairError found;
         found.cell = cell;
-        const StudyPlan& plan = findings_.plan;
-        const auto limits = known_limits(plan.spec.methods[method], plan.scenes[scene], plan.cells[cell].subdivision,
-                                         pair, estimates.evaluations_per_face, estimates.trials());
-        found.error = class_error_of(errors_of(estimates, std::array{pair}, known), 1, estimates.evaluations_per_face,
-                                     status, plan.spec.level, {limits.unmet});
+        found.error =
+            class_error_of(errors_of(estimates, std::array{pair}, known), 1, estimates.evaluations_per_face, status,
+                           findings_.plan.spec.level, {known_limits(findings_.plan, estimates, pair).unmet});
         const ErrorSize size = status == VarianceStatus::infinite ? ErrorSize::median_abs_error : ErrorSize::rmse;
         found.slope = slope_of(slopes_, scene, method, pair, size);
         return found;

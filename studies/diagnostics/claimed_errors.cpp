@@ -79,10 +79,7 @@ PairClaims compare(const std::vector<double>& values, const std::vector<double>&
 std::optional<ClaimedErrors> judge(const Store& store, const CellEstimates& estimates, const KnownFactors& known,
                                    PairClass pair_class, Claimant claimant) {
     const StudyPlan& plan = store.plan();
-    const Cell& cell = plan.cells[estimates.cell];
-    const Scene& scene = plan.scenes[cell.scene];
-    const auto all = distinct_pairs(scene.faces.size(), plan.spec.methods[cell.method].completion);
-    const auto pairs = pairs_of_class(scene, known_pairs(all, known), pair_class);
+    const auto pairs = known_pairs_of_class(plan, plan.cells[estimates.cell], known, pair_class);
     if (pairs.empty() || estimates.trials() == 0) return std::nullopt;
     const double level = plan.spec.level;
     ClaimedErrors found;

@@ -44,14 +44,6 @@ stats::Moments moments_of(std::span<const double> values, const Task& task) {
     return stats::moments_of(values, task.reference);
 }
 
-std::optional<stats::Interval> relative_to(std::optional<stats::Interval> interval, double reference) {
-    if (interval) {
-        interval->low -= reference;
-        interval->high -= reference;
-    }
-    return interval;
-}
-
 std::optional<Taken> take_two_stage(std::span<const double> left, const Task& task) {
     const auto pilot = stats::pilot_of(left, task.replicates);
     if (!pilot) return Taken{std::nullopt, task.replicates};
@@ -74,16 +66,16 @@ std::optional<Taken> take_until_short(std::span<const double> left, const Task& 
 std::optional<Taken> take(IntervalRule rule, std::span<const double> left, const Task& task, StreamKey key) {
     if (left.size() < task.replicates) return std::nullopt;
     const auto group = left.first(task.replicates);
+    const auto about = [&](const std::optional<stats::Interval>& mean) {
+        return Taken{mean ? std::optional(mean->shifted(-task.reference)) : std::nullopt, task.replicates};
+    };
     switch (rule) {
         case IntervalRule::student_t:
             return Taken{stats::bias_interval_t(moments_of(group, task), task.level), task.replicates};
         case IntervalRule::normal:
-            return Taken{relative_to(stats::mean_interval_normal(moments_of(group, task), task.level), task.reference),
-                         task.replicates};
+            return about(stats::mean_interval_normal(moments_of(group, task), task.level));
         case IntervalRule::percentile_bootstrap:
-            return Taken{
-                relative_to(stats::mean_interval_bootstrap(group, task.level, {key, resamples}), task.reference),
-                task.replicates};
+            return about(stats::mean_interval_bootstrap(group, task.level, {key, resamples}));
         case IntervalRule::two_stage:
             return take_two_stage(left, task);
         case IntervalRule::look_short:
@@ -102,11 +94,8 @@ class CellTrials {
 
     /// From each source face the first target of the class.
     [[nodiscard]] std::vector<Quantity> independent_pairs(PairClass wanted) const {
-        const Completion completion = plan_.spec.methods[plan_.cells[cell_].method].completion;
-        const Scene& scene = plan_.scenes[plan_.cells[cell_].scene];
         std::vector<Quantity> found;
-        const auto pairs = known_pairs(distinct_pairs(estimates_.faces, completion), known_);
-        for (const Quantity pair : pairs_of_class(scene, pairs, wanted)) {
+        for (const Quantity pair : known_pairs_of_class(plan_, plan_.cells[cell_], known_, wanted)) {
             if (found.empty() || found.back().from != pair.from) found.push_back(pair);
         }
         return found;

@@ -45,16 +45,11 @@ MeanReference mean_reference(const Gate& gate, const Effect& effect, const std::
 /// ratio of the areas: each of them may have missed something.
 stats::KnownLimits limits_of(const Gate& gate, const StudyPlan& plan, const Effect& effect,
                              const CellEstimates& estimates) {
-    const Cell& cell = plan.cells[effect.cells.front()];
-    const Scene& scene = plan.scenes[cell.scene];
-    const auto limits_there = [&](Quantity quantity) {
-        return known_limits(plan.spec.methods[cell.method], scene, cell.subdivision, quantity,
-                            estimates.evaluations_per_face, estimates.trials());
-    };
     const auto [kind, from, to] = effect.quantity;
-    if (gate.kind != GateKind::reciprocity) return limits_there(effect.quantity);
-    const stats::Unmet there = limits_there({kind, from, to}).unmet;
-    const stats::Unmet back = limits_there({kind, to, from}).unmet;
+    if (gate.kind != GateKind::reciprocity) return known_limits(plan, estimates, effect.quantity);
+    const stats::Unmet there = known_limits(plan, estimates, {kind, from, to}).unmet;
+    const stats::Unmet back = known_limits(plan, estimates, {kind, to, from}).unmet;
+    const Scene& scene = plan.scenes[plan.cells[estimates.cell].scene];
     const double ratio = face_area(scene, to - 1) / face_area(scene, from - 1);
     return {.unmet = {.largest = there.largest + ratio * back.largest,
                       .evaluations = std::max(there.evaluations, back.evaluations)}};
@@ -218,9 +213,7 @@ void compare_slope(const Gate& gate, const Plan& plan, const Effect& effect, std
         stats::Rung rung{static_cast<double>(here.evaluations_per_face), {}};
         for (const double value : here.values(effect.quantity)) rung.errors.push_back(value - *effect.truth);
         ladder.push_back(std::move(rung));
-        Effect at_size = effect;
-        at_size.cells = {cell};
-        unmet.push_back(unmet_squares({limits_of(gate, plan.study, at_size, here).unmet}, here.evaluations_per_face));
+        unmet.push_back(unmet_squares({limits_of(gate, plan.study, effect, here).unmet}, here.evaluations_per_face));
     }
     row.measurement = measure_slope(ladder, row.band, plan.levels);
     const auto rate = stats::measured_rmse_rate(ladder, unmet);

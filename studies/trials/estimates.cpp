@@ -160,6 +160,12 @@ CellEstimates complete(const StudyPlan& plan, std::size_t cell_index, Completion
     return estimates;
 }
 
+stats::KnownLimits known_limits(const StudyPlan& plan, const CellEstimates& estimates, Quantity quantity) {
+    const Cell& cell = plan.cells[estimates.cell];
+    return known_limits(plan.spec.methods[cell.method], plan.scenes[cell.scene], cell.subdivision, quantity,
+                        estimates.evaluations_per_face, estimates.trials());
+}
+
 std::vector<Quantity> distinct_pairs(std::size_t faces, Completion completion) {
     std::vector<Quantity> pairs;
     const int count = static_cast<int>(faces);

@@ -93,12 +93,10 @@ std::string heavy_tail(const std::vector<double>& values) {
 /// Measures a mean by confidence sequences, which hold at all looks together. The effect that would fail is not known.
 Measurement measure_anytime(const Gate& gate, const std::vector<double>& values, const Levels& levels) {
     const auto interval_at = [&](double level) {
-        auto interval = gate.anytime == Anytime::normal
-                            ? stats::normal_sequence(values, gate.tightest_at, level)
-                            : stats::bounded_sequence(values, gate.bounds.low, gate.bounds.high, level);
-        interval.low -= *gate.reference;
-        interval.high -= *gate.reference;
-        return interval;
+        const auto interval = gate.anytime == Anytime::normal
+                                  ? stats::normal_sequence(values, gate.tightest_at, level)
+                                  : stats::bounded_sequence(values, gate.bounds.low, gate.bounds.high, level);
+        return interval.shifted(-*gate.reference);
     };
     return {.value = *stats::moments_of(values, *gate.reference).bias(),
             .passing = interval_at(1 - 2 * levels.pass_alpha),
