@@ -13,7 +13,7 @@
 #include "reports/json/gates_junit.hpp"
 #include "reports/markdown/gates_markdown.hpp"
 #include "reports/terminal/gates_terminal.hpp"
-#include "studies/verdicts/check_results.hpp"
+#include "studies/verdicts/gate_result.hpp"
 #include "studies/verdicts/ledger.hpp"
 
 #include <fmt/format.h>
