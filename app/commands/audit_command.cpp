@@ -5,7 +5,7 @@
 
 #include "core/support/error.hpp"
 #include "reports/markdown/audit_markdown.hpp"
-#include "reports/words/audit_summary.hpp"
+#include "reports/words/published_words.hpp"
 #include "studies/audit/audit.hpp"
 #include "studies/published/published.hpp"
 

@@ -9,11 +9,11 @@
 
 #include "core/support/error.hpp"
 #include "core/support/words.hpp"
-#include "reports/csv/heat_csv.hpp"
+#include "reports/csv/scene_csv.hpp"
 #include "reports/html/scene_html.hpp"
 #include "reports/terminal/heat_text.hpp"
 #include "reports/text/labels.hpp"
-#include "reports/words/form_factor_warnings.hpp"
+#include "reports/words/scene_reports.hpp"
 #include "studies/heat/flow_sampling.hpp"
 
 #include <fmt/format.h>

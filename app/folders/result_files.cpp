@@ -8,7 +8,6 @@
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
 #include "reports/csv/csv.hpp"
-#include "reports/csv/csv_radiosity.hpp"
 #include "reports/files/matrix_files.hpp"
 #include "reports/html/html.hpp"
 #include "reports/json/context_json.hpp"

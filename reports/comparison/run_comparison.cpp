@@ -1,18 +1,15 @@
 #include "reports/comparison/run_comparison.hpp"
 
-#include "reports/comparison/likeness_words.hpp"
-#include "reports/comparison/ratio_plot.hpp"
+#include "reports/comparison/comparison_words.hpp"
 #include "reports/html/html_view.hpp"
-#include "reports/html/security_policy.hpp"
-#include "reports/json/json_values.hpp"
-#include "reports/markdown/markdown_table.hpp"
+#include "reports/markdown/markdown_text.hpp"
 #include "reports/templates/mustache.hpp"
+#include "reports/text/json_values.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/text/text_table.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -237,10 +234,10 @@ std::string comparison_markdown(const RunComparison& comparison) {
 
 std::string comparison_json(const RunComparison& comparison) {
     const studies::StudyPlan& plan = comparison.first.plan;
-    auto cells = nlohmann::ordered_json::array();
+    auto cells = Json::array();
     for (const CellComparison& compared : comparison.cells) {
         const studies::Cell& cell = plan.cells[compared.first];
-        auto ratios = nlohmann::ordered_json::array();
+        auto ratios = Json::array();
         for (const studies::RmseRatio& ratio : compared.ratios) {
             ratios.push_back({{"pairs", name(ratio.pair_class)},
                               {"first", ratio.first},
@@ -257,20 +254,17 @@ std::string comparison_json(const RunComparison& comparison) {
                          {"testable", compared.likeness != Likeness::untestable},
                          {"rmse", std::move(ratios)}});
     }
-    const nlohmann::ordered_json whole{{"schema", "ffstudy.comparison/1"}, {"runs", comparison.names},
-                                       {"verdict", verdict(comparison)},   {"level", comparison.level},
-                                       {"tests", comparison.tests},        {"cells", std::move(cells)},
-                                       {"remarks", remarks(comparison)}};
+    const Json whole{{"schema", "ffstudy.comparison/1"}, {"runs", comparison.names},  {"verdict", verdict(comparison)},
+                     {"level", comparison.level},        {"tests", comparison.tests}, {"cells", std::move(cells)},
+                     {"remarks", remarks(comparison)}};
     return whole.dump(2);
 }
 
 std::string comparison_html(const RunComparison& comparison, const Templates& templates) {
-    nlohmann::ordered_json tables = nlohmann::ordered_json::array();
+    Json tables = Json::array();
     for (const Table& table : {cells_table(comparison), differences_table(comparison)}) {
         if (!table.rows.empty()) tables.push_back(table_view(table));
     }
-    nlohmann::ordered_json lines = nlohmann::ordered_json::array();
-    for (const std::string& line : remarks(comparison)) lines.push_back({{"text", line}});
     const std::vector<std::string_view> styles{templates.text("report.css")};
     return fill_template(templates, "comparison",
                          {{"policy", security_policy(styles, {})},
@@ -280,7 +274,7 @@ std::string comparison_html(const RunComparison& comparison, const Templates& te
                           {"verdict", verdict(comparison)},
                           {"forest", ratio_plot(comparison)},
                           {"tables", std::move(tables)},
-                          {"remarks", std::move(lines)}},
+                          {"remarks", texts_view(remarks(comparison))}},
                          escape_html);
 }
 

@@ -1,8 +1,7 @@
-#include "reports/csv/csv_radiosity.hpp"
+#include "reports/csv/csv.hpp"
 
 #include "reports/csv/csv_records.hpp"
-#include "reports/json/json_cells.hpp"
-#include "reports/json/json_radiosity.hpp"
+#include "reports/json/json_records.hpp"
 
 #include <fmt/format.h>
 

@@ -1,13 +1,24 @@
 #include "reports/csv/csv_records.hpp"
 
 #include "core/support/words.hpp"
-#include "reports/csv/csv_field.hpp"
+#include "reports/text/json_values.hpp"
 #include "reports/text/numbers.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace ff::reports {
+
+std::string csv_field(std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"') quoted += '"';
+        quoted += c;
+    }
+    return quoted + "\"";
+}
+
 namespace {
 
 std::string field(const Json& value) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reports/json/json_values.hpp"
+#include <nlohmann/json_fwd.hpp>
 
 #include <ostream>
 #include <string>
@@ -8,6 +8,9 @@
 #include <vector>
 
 namespace ff::reports {
+
+/// A cell of a CSV file; quoted where it has to be (RFC 4180).
+std::string csv_field(std::string_view text);
 
 /// A table of the records that results.json has too: their keys are its columns, so that each value is named once.
 class CsvRecords {
@@ -17,7 +20,7 @@ class CsvRecords {
     CsvRecords(std::ostream& out, std::string_view columns);
 
     /// Writes a line. What is null, or within an object that is null, is empty.
-    void add(const Json& record);
+    void add(const nlohmann::ordered_json& record);
 
   private:
     std::ostream& out_;

@@ -1,13 +1,14 @@
 #include "reports/csv/gates_csv.hpp"
 
-#include "reports/csv/csv_field.hpp"
 #include "reports/csv/csv_records.hpp"
-#include "reports/json/comparison_json.hpp"
+#include "reports/json/gates_json.hpp"
+#include "reports/text/json_values.hpp"
 #include "reports/text/numbers.hpp"
 
 #include <fmt/format.h>
 
 namespace ff::reports {
+
 void write_verdicts_csv(std::ostream& out, const studies::gates::CheckResults& check) {
     CsvRecords csv(out,
                    "gate,scene,method,patches_per_face,samples_per_patch,from_face,to_face,quantity,value,"

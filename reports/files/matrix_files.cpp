@@ -91,19 +91,22 @@ void write_sparse_matrix_market(std::ostream& out, const Eigen::SparseMatrix<dou
     }
 }
 
-void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix) {
-    static_assert(std::endian::native == std::endian::little);
+std::string npy_header(std::string_view type, std::string_view fortran_order, std::string_view shape) {
     constexpr std::size_t before = 10;  // magic, version, length of the header
     constexpr std::size_t alignment = 64;
-    const std::string shape = matrix.cols() == 1 ? fmt::format("({},)", matrix.rows())
-                                                 : fmt::format("({}, {})", matrix.rows(), matrix.cols());
-    std::string header = fmt::format("{{'descr': '<f8', 'fortran_order': True, 'shape': {}, }}", shape);
+    std::string header =
+        fmt::format("{{'descr': '{}', 'fortran_order': {}, 'shape': {}, }}", type, fortran_order, shape);
     header.append((alignment - (before + header.size() + 1) % alignment) % alignment, ' ');
     header += '\n';
-    out << std::string("\x93NUMPY\x01\x00", 8);
-    out.put(static_cast<char>(header.size() % 256));
-    out.put(static_cast<char>(header.size() / 256));
-    out << header;
+    const std::array length{static_cast<char>(header.size() % 256), static_cast<char>(header.size() / 256)};
+    return std::string("\x93NUMPY\x01\x00", 8).append(length.data(), length.size()) + header;
+}
+
+void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix) {
+    static_assert(std::endian::native == std::endian::little);
+    const std::string shape = matrix.cols() == 1 ? fmt::format("({},)", matrix.rows())
+                                                 : fmt::format("({}, {})", matrix.rows(), matrix.cols());
+    out << npy_header("<f8", "True", shape);
     for (const double value : matrix.reshaped()) {
         const auto bytes = std::bit_cast<std::array<char, sizeof(double)>>(value);
         out.write(bytes.data(), bytes.size());

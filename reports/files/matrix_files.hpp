@@ -9,6 +9,7 @@
 #include <map>
 #include <ostream>
 #include <string>
+#include <string_view>
 
 namespace ff::reports {
 
@@ -20,6 +21,10 @@ std::string matrix_market(const Eigen::MatrixXd& matrix, const std::string& comm
 /// The same, but "coordinate real general" where at most a quarter of the entries are nonzero.
 void write_sparse_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& matrix,
                                 const std::string& comment);
+
+/// What stands before the numbers of an array in NumPy's format, version 1.0. @param fortran_order, shape  as Python
+/// writes them
+std::string npy_header(std::string_view type, std::string_view fortran_order, std::string_view shape);
 
 /// A matrix as a NumPy .npy file, version 1.0; a single column is one-dimensional. @see docs/results.md
 void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix);

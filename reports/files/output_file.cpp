@@ -1,21 +1,54 @@
 #include "reports/files/output_file.hpp"
 
 #include "core/support/error.hpp"
-#include "reports/files/file_buffer.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
-#include <fmt/format.h>
-
+#include <array>
 #include <cerrno>
 #include <cstdint>
+#include <streambuf>
 #include <string>
 #include <system_error>
 #include <utility>
 
 namespace ff::reports {
 namespace {
+
+/// Writes a stream to an open file, and keeps the system's error code of the first failed write. std::filebuf does not,
+/// and errno may have changed by then.
+class FileBuffer : public std::streambuf {
+  public:
+    explicit FileBuffer(int descriptor) : descriptor_(descriptor) { empty(); }
+    /// errno; 0 while nothing has failed.
+    [[nodiscard]] int error() const { return error_; }
+
+  protected:
+    int_type overflow(int_type next) override {
+        if (sync() != 0) return traits_type::eof();
+        if (!traits_type::eq_int_type(next, traits_type::eof())) sputc(traits_type::to_char_type(next));
+        return traits_type::not_eof(next);
+    }
+    int sync() override {
+        for (const char* next = pbase(); error_ == 0 && next < pptr();) {
+            const auto written = ::write(descriptor_, next, static_cast<std::size_t>(pptr() - next));
+            if (written >= 0)
+                next += written;
+            else if (errno != EINTR)
+                error_ = errno;
+        }
+        empty();
+        return error_ == 0 ? 0 : -1;
+    }
+
+  private:
+    void empty() { setp(bytes_.data(), bytes_.data() + bytes_.size()); }
+    int descriptor_;
+    int error_ = 0;
+    std::array<char, 1 << 16> bytes_{};
+};
 
 [[noreturn]] void fail(const std::filesystem::path& file, int error) {
     throw IoError(fmt::format("{}: cannot be written ({}). Check the folder, its permissions and the free space.",

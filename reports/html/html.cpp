@@ -2,19 +2,17 @@
 
 #include "reports/html/html_view.hpp"
 #include "reports/html/scene_drawing.hpp"
-#include "reports/html/security_policy.hpp"
 #include "reports/pictures/picture_values.hpp"
 #include "reports/pictures/pictures.hpp"
-#include "reports/tables/radiosity_tables.hpp"
 #include "reports/tables/tables.hpp"
 #include "reports/templates/mustache.hpp"
+#include "reports/text/json_values.hpp"
 #include "reports/text/labels.hpp"
-#include "reports/words/cells_in_between.hpp"
 #include "reports/words/findings/radiosity_words.hpp"
 #include "reports/words/in_brief.hpp"
+#include "reports/words/sizes.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <map>
@@ -25,8 +23,6 @@
 
 namespace ff::reports {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json published_view(const studies::PublishedResults& published, double alpha, const Headline& top) {
     Json tables = Json::array();
@@ -46,14 +42,12 @@ Json published_view(const studies::PublishedResults& published, double alpha, co
 /// The tables of what is asked beyond bias and spread, as far as the study has it.
 Json findings_view(const studies::StudyResults& results) {
     Json tables = Json::array();
-    constexpr auto decisions = [](const studies::StudyResults& all) { return decisions_table(all, false); };
-    constexpr auto contests = [](const studies::StudyResults& all) { return contests_table(all, false); };
-    constexpr auto claims = [](const studies::StudyResults& all) { return claimed_errors_table(all, Claims::all); };
-    using Make = Table (*)(const studies::StudyResults&);
-    for (const Make make : {Make{occlusion_table}, Make{configurations_table}, Make{convergence_table}, Make{decisions},
-                            Make{contests}, Make{reductions_table}, Make{evenness_table}, Make{coverage_table},
-                            Make{claims}, Make{error_law_table}, Make{spreads_table}}) {
-        if (const Table table = make(results); !table.rows.empty()) tables.push_back(table_view(table));
+    for (const Table& table :
+         {occlusion_table(results), configurations_table(results), convergence_table(results),
+          decisions_table(results, false), contests_table(results, false), reductions_table(results),
+          evenness_table(results), coverage_table(results), claimed_errors_table(results, Claims::all),
+          error_law_table(results), spreads_table(results)}) {
+        if (!table.rows.empty()) tables.push_back(table_view(table));
     }
     return tables;
 }

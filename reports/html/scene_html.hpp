@@ -1,8 +1,7 @@
 #pragma once
 
 #include "reports/templates/templates.hpp"
-#include "reports/words/form_factor_warnings.hpp"
-#include "reports/words/heat_report.hpp"
+#include "reports/words/scene_reports.hpp"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #include "reports/json/gates_json.hpp"
 
-#include "reports/json/comparison_json.hpp"
+#include "reports/text/json_values.hpp"
 
 namespace ff::reports {
 

@@ -1,10 +1,7 @@
 #include "reports/json/json.hpp"
 
-#include "reports/json/json_cells.hpp"
-#include "reports/json/json_laboratory.hpp"
-#include "reports/json/json_radiosity.hpp"
-#include "reports/json/json_slopes.hpp"
-#include "reports/json/json_values.hpp"
+#include "reports/json/json_records.hpp"
+#include "reports/text/json_values.hpp"
 #include "reports/text/labels.hpp"
 
 #include <fmt/format.h>

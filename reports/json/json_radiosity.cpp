@@ -1,4 +1,4 @@
-#include "reports/json/json_radiosity.hpp"
+#include "reports/json/json_records.hpp"
 
 #include "reports/text/labels.hpp"
 #include "reports/words/findings/radiosity_words.hpp"

@@ -4,18 +4,16 @@
 #include "reports/pictures/picture_values.hpp"
 #include "reports/tables/tables.hpp"
 #include "reports/templates/mustache.hpp"
+#include "reports/text/json_values.hpp"
 #include "reports/text/text_table.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <set>
 
 namespace ff::reports {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_rows_of_a_page = 40;
 constexpr std::size_t longest_line = 26;  // a longer text is broken

@@ -1,7 +1,7 @@
 #include "reports/markdown/audit_markdown.hpp"
 
 #include "reports/markdown/markdown_text.hpp"
-#include "reports/words/audit_summary.hpp"
+#include "reports/words/published_words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,6 +1,6 @@
 #include "reports/markdown/enclosure_text.hpp"
 
-#include "reports/markdown/markdown_table.hpp"
+#include "reports/markdown/markdown_text.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/findings/radiosity_words.hpp"
 

@@ -1,13 +1,190 @@
 #include "reports/markdown/markdown.hpp"
 
 #include "reports/markdown/markdown_sections.hpp"
-#include "reports/markdown/markdown_table.hpp"
 #include "reports/markdown/markdown_text.hpp"
+#include "reports/pictures/pictures.hpp"
 #include "reports/tables/tables.hpp"
+#include "reports/text/numbers.hpp"
+#include "reports/words/answer.hpp"
+#include "reports/words/findings/radiosity_words.hpp"
+#include "reports/words/findings/verdicts.hpp"
+#include "reports/words/in_brief.hpp"
+#include "reports/words/published_words.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
 namespace ff::reports {
+namespace {
+
+std::string bias_line(const studies::Analysis& findings) {
+    BiasTally tally = tally_of(findings);
+    if (tally.sampled == 0) return {};
+    const auto biased = tally.found[studies::BiasFinding::biased];
+    const std::string lost = tally.lost_rays ? fmt::format(" Lost rays: {}.", *tally.lost_rays) : std::string();
+    if (tally.found[studies::BiasFinding::untestable] == tally.sampled)
+        return fmt::format("- Bias: not tested in any of {} sampled methods and sizes.{}\n", tally.sampled, lost);
+    std::string out = fmt::format(
+        "- Bias: {}none found in {} of {} sampled methods and sizes{} ({:g} % over all of them)",
+        biased > 0 ? fmt::format("found in {}, ", biased) : "", tally.found[studies::BiasFinding::no_bias_found],
+        tally.sampled, tally.partly > 0 ? fmt::format(", in {} of them on a part of the pairs", tally.partly) : "",
+        100 * (1 - findings.plan.spec.level));
+    if (const auto margin = findings.plan.spec.equivalence_margin) {
+        out += fmt::format("; a bias within ±{} is shown on every pair of {}", brief(*margin, 2), tally.shown);
+    }
+    return out + fmt::format(".{}\n", lost);
+}
+
+std::string brief_section(const studies::StudyResults& results) {
+    const Answer said = answer(results);
+    std::string out = said.question.empty() ? std::string() : fmt::format("*{}*\n\n", markdown_text(said.question));
+    out += fmt::format("**{}**\n\n", markdown_text(said.text));
+    if (const auto lead = lead_picture(results); lead && lead->kind == "ranking")
+        out += fmt::format("![{}](answer.svg)\n\n{}\n\n", markdown_text(lead->title), markdown_text(lead->finding));
+    out += "## In brief\n\n";
+    out += bias_line(results.findings);
+    if (const auto light = light_in_brief(results)) {
+        std::string clause = markdown_text(light->clause);
+        clause.front() = 'A';
+        out += fmt::format("- {}; see [what the errors do to the light](#what-the-errors-do-to-the-light).\n", clause);
+    }
+    for (const std::string& line : results_in_brief(results)) out += fmt::format("- {}\n", markdown_text(line));
+    if (results.published) {
+        for (const std::string& line : published_in_brief(*results.published, 1 - results.findings.plan.spec.level))
+            out += fmt::format("- {}\n", markdown_text(line));
+        if (results.published->audit.figures > 0)
+            out += fmt::format("- The {} printed figures contain {} contradictions; see [the audit](#the-audit).\n",
+                               results.published->audit.figures, results.published->audit.contradictions());
+    }
+    return out + "\n";
+}
+
+std::string table_text(const studies::PublishedResults& published, std::size_t index,
+                       const std::set<std::size_t>& blamed, double alpha) {
+    const studies::PublishedTable& table = published.tables.tables[index];
+    const studies::TableComparison& comparison = published.comparisons[index];
+    std::string out = fmt::format("### {}: {}\n\n", markdown_text(table.id), markdown_text(table.title));
+    if (!table.note.empty()) out += fmt::format("*{}*\n\n", markdown_text(table.note));
+    out += "| |";
+    std::string rule = "|---|";
+    for (const std::string& column : table.column_titles) {
+        out += fmt::format(" {}: printed | ours | where it falls |", markdown_cell(column));
+        rule += "--:|--:|:--|";
+    }
+    out += "\n" + rule + "\n";
+    const std::size_t columns = table.column_titles.size();
+    std::vector<std::string> above(columns);
+    for (std::size_t row = 0; row < table.row_titles.size(); ++row) {
+        out += fmt::format("| {} |", markdown_cell(table.row_titles[row]));
+        for (std::size_t column = 0; column < columns; ++column) {
+            const auto figure = table.figures[row * columns + column];
+            if (!figure) {
+                out += " | | |";
+                above[column].clear();
+                continue;
+            }
+            const auto& c = *std::find_if(comparison.figures.begin(), comparison.figures.end(),
+                                          [&](const auto& f) { return f.figure == *figure; });
+            const std::string& printed = published.tables.figures[*figure].printed;
+            const std::string_view mark = is_surprising(c, alpha) ? "**" : "";
+            std::string text = fmt::format(" {}{} | {} | {}{}{} |", printed, blamed.contains(*figure) ? " †" : "",
+                                           ours_text(c, printed), mark, place_text(c, printed), mark);
+            // A deterministic method treats congruent faces alike: rows and rows of the same figures.
+            out += text == above[column] ? std::string(" ″ | ″ | ″ |") : text;
+            above[column] = std::move(text);
+        }
+        out += "\n";
+    }
+    out += "\n";
+    for (const studies::ColumnChiSquared& column : comparison.chi_squared) {
+        const auto& chi = column.form.chi_squared;
+        const std::size_t fixed = column.figures - std::min(column.figures, chi.freedom);
+        out += fmt::format("- {}: χ² of its figures together = {:.1f} with {} degrees of freedom, {}{}.\n",
+                           table.column_titles[column.column], chi.statistic, chi.freedom, p_text(chi.p),
+                           fixed == 0 ? "" : " (a figure that every run fixes is left out)");
+    }
+    if (comparison.together) {
+        out += fmt::format("- The whole table, its columns combined (Fisher): {}.\n", p_text(comparison.together->p));
+    }
+    double least = 2;
+    for (const studies::FigureComparison& c : comparison.figures) least = std::min(least, c.adjusted_p.value_or(2));
+    if (least <= 1)
+        out += fmt::format("- Most surprising sampled figure of the table: Holm-adjusted {}.\n", p_text(least));
+    return out + "\n";
+}
+
+std::string published_tables_section(const studies::StudyResults& results) {
+    if (!results.published) return {};
+    const studies::PublishedResults& published = *results.published;
+    const double alpha = 1 - results.findings.plan.spec.level;
+    const std::set<std::size_t> blamed = blamed_figures(published.audit);
+    std::string out = fmt::format(
+        "## The published tables, three things side by side\n\n"
+        "{}\n\n"
+        "*Printed* is the figure as published († : the audit finds that it contradicts others). *Ours* is the value of "
+        "a "
+        "deterministic method; of a sampled one the mean over trials and the range of {:g} % of single runs. ″: as in "
+        "the row above. "
+        "*Where it "
+        "falls*: (printed − mean) in standard deviations of a single run, and the share of our runs below it; bold "
+        "where a "
+        "run as described would give it, or something further out, less often than {:g} % allows over the whole table "
+        "(Student t, Holm; χ² by Hotelling's T²).\n\n",
+        markdown_text(published.tables.source), 100 * (1 - alpha), 100 * alpha);
+    for (std::size_t i = 0; i < published.tables.tables.size(); ++i) out += table_text(published, i, blamed, alpha);
+    return out;
+}
+
+std::string claims_section(const studies::StudyResults& results) {
+    if (!results.published || results.published->claims.empty()) return {};
+    std::string out = "## The paper's claims, judged\n\n| claim (section) | verdict | evidence |\n|---|---|---|\n";
+    for (const studies::JudgedClaim& claim : results.published->claims) {
+        out += fmt::format("| {} ({}) | **{}** | {} |\n", markdown_cell(claim.claim.statement),
+                           markdown_cell(claim.claim.section), studies::name(claim.verdict),
+                           markdown_cell(claim.evidence));
+    }
+    return out + "\n";
+}
+
+std::string audit_section(const studies::StudyResults& results) {
+    if (!results.published) return {};
+    const studies::PublishedResults& published = *results.published;
+    std::string out = fmt::format(
+        "## The audit\n\nFrom the printed figures alone: **{} contradictions**; details in [audit.md](audit.md).\n\n",
+        published.audit.contradictions());
+    std::size_t number = 0;
+    for (const studies::audit::Finding& finding : published.audit.findings) {
+        const bool note = finding.severity == studies::audit::Severity::note;
+        out += fmt::format("{}. {}{}\n", ++number, note ? "(note) " : "", markdown_text(finding.statement));
+    }
+    return out + "\n";
+}
+
+}  // namespace
+
+std::string radiosity_section(const studies::StudyResults& results) {
+    if (!results.radiosity) return {};
+    std::string out =
+        "## What the errors do to the light\n\n"
+        "The radiosity system (I − P F) m = e with the factors F of every trial, as they are and repaired: *direct* "
+        "(every row from its own samples), *reciprocal* (one triangle from the other), *normalised* (the reciprocal "
+        "matrix, rows divided by their sums), *balanced* (weighted least squares with closure, reciprocity and no "
+        "negative factor, errors those of counted hits).\n\n";
+    for (const std::string& line : radiosity_in_brief(results)) out += fmt::format("- {}\n", markdown_text(line));
+    for (const Table& table : radiosity_tables(results)) {
+        out += fmt::format("\n### {}\n\n{}\n\n", table.title, table.note);
+        const bool is_long = table.rows.size() > 40;
+        if (is_long) out += fmt::format("<details><summary>{} rows</summary>\n\n", table.rows.size());
+        out += markdown_table(table);
+        if (is_long) out += "</details>\n";
+    }
+    return out + "\n";
+}
 
 std::string markdown_report(const studies::StudyResults& results) {
     std::string out = fmt::format("# {}\n\n", markdown_text(results.findings.plan.spec.title));

@@ -7,12 +7,8 @@
 namespace ff::reports {
 
 /// Sections of report.md, each with its heading; empty where the study has nothing for them.
-std::string brief_section(const studies::StudyResults& results);
 std::string slopes_section(const studies::StudyResults& results);
 std::string radiosity_section(const studies::StudyResults& results);
-std::string published_tables_section(const studies::StudyResults& results);
-std::string claims_section(const studies::StudyResults& results);
-std::string audit_section(const studies::StudyResults& results);
 std::string bias_section(const studies::StudyResults& results);
 std::string reproduction_section(const studies::StudyResults& results);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "reports/text/table.hpp"
+
 #include <string>
 #include <string_view>
 
@@ -14,5 +16,11 @@ std::string markdown_cell(std::string_view text);
 
 /// Lines of code of a language. The fence is longer than any run of backticks in them.
 std::string markdown_code(std::string_view language, std::string_view lines);
+
+/// Rows and remarks of a table for a code host; title and note are left to the caller.
+std::string markdown_table(const Table& table);
+
+/// A section of report.md: title, note, and the table; empty where there are no rows.
+std::string markdown_section(const Table& table);
 
 }  // namespace ff::reports

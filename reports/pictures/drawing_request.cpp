@@ -1,13 +1,11 @@
 #include "reports/pictures/drawing_request.hpp"
 
-#include <nlohmann/json.hpp>
+#include "reports/text/json_values.hpp"
 
 #include <iterator>
 #include <utility>
 
 namespace ff::reports {
-
-using Json = nlohmann::ordered_json;
 
 std::vector<Picture> all_pictures(const studies::StudyResults& results, const MethodChoice& methods) {
     std::vector<Picture> all;

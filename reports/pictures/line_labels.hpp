@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reports/pictures/method_styles.hpp"
 #include "reports/pictures/picture_values.hpp"
 
 #include <string>
@@ -21,7 +22,7 @@ class LineLabels {
 
     /// Sets the labels, moved apart until none overlap, and the range of the y axis.
     /// @param scales  the picture's other scales
-    void set(PictureValues& values, nlohmann::ordered_json scales) const;
+    void set(PictureValues& values, Json scales) const;
 
   private:
     struct Label {
@@ -30,11 +31,30 @@ class LineLabels {
         double height;
     };
     [[nodiscard]] double scaled(double value) const;
-    [[nodiscard]] nlohmann::ordered_json value_at(double height) const;
+    [[nodiscard]] Json value_at(double height) const;
 
     HeightAxis axis_;
     std::vector<double> heights_;
     std::vector<Label> labels_;
+};
+
+/// The lines of methods: colours and symbols, names to show one alone by, labels of those in colour. The names of those
+/// in grey stand on the buttons below a picture.
+class MethodLines {
+  public:
+    MethodLines(std::vector<MethodStyle> styles, HeightAxis axis) : styles_(std::move(styles)), labels_(axis) {}
+
+    void make_room(double value) { labels_.make_room(value); }
+    /// For an interval that a logarithmic axis can show.
+    void make_room(const std::optional<stats::Interval>& interval);
+    /// Ends a line at the height `last`. @param text  its label
+    void add(const std::string& method, const std::string& text, double last);
+    void set(PictureValues& values) const;
+
+  private:
+    std::vector<MethodStyle> styles_;
+    LineLabels labels_;
+    std::vector<std::string> methods_;
 };
 
 }  // namespace ff::reports

@@ -5,8 +5,6 @@
 #include "samplers/outside/added.hpp"
 #include "samplers/sampler.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <array>
 #include <map>
@@ -99,17 +97,14 @@ std::vector<MethodStyle> method_styles(const StudyResults& results, const Method
     return styles;
 }
 
-nlohmann::ordered_json style_scales(const std::vector<MethodStyle>& styles) {
-    auto methods = nlohmann::ordered_json::array();
-    auto colour = nlohmann::ordered_json::array();
-    auto symbol = nlohmann::ordered_json::array();
+Json style_scales(const std::vector<MethodStyle>& styles) {
+    std::vector<std::string> methods, colours, symbols;
     for (const MethodStyle& style : styles) {
         methods.push_back(style.method);
-        colour.push_back(style.colour);
-        symbol.push_back(style.symbol);
+        colours.push_back(style.colour);
+        symbols.push_back(style.symbol);
     }
-    return {{"color", {{"domain", methods}, {"range", std::move(colour)}}},
-            {"shape", {{"domain", methods}, {"range", std::move(symbol)}}}};
+    return {{"color", {{"domain", methods}, {"range", colours}}}, {"shape", {{"domain", methods}, {"range", symbols}}}};
 }
 
 }  // namespace ff::reports

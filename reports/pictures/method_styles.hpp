@@ -1,9 +1,8 @@
 #pragma once
 
-#include "reports/pictures/method_choice.hpp"
+#include "reports/pictures/pictures.hpp"
+#include "reports/text/json_values.hpp"
 #include "studies/results/results.hpp"
-
-#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <vector>
@@ -23,6 +22,6 @@ struct MethodStyle {
 std::vector<MethodStyle> method_styles(const studies::StudyResults& results, const MethodChoice& choice = {});
 
 /// The scales "color" and "shape" of a picture, for Picture::values.
-nlohmann::ordered_json style_scales(const std::vector<MethodStyle>& styles);
+Json style_scales(const std::vector<MethodStyle>& styles);
 
 }  // namespace ff::reports

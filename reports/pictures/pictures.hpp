@@ -1,15 +1,22 @@
 #pragma once
 
-#include "reports/pictures/method_choice.hpp"
 #include "studies/results/results.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace ff::reports {
+
+/// The methods that a picture shows: the named ones, or all.
+struct MethodChoice {
+    std::vector<std::string> names;  ///< empty: all
+    [[nodiscard]] bool has(const std::string& method) const {
+        return names.empty() || std::find(names.begin(), names.end(), method) != names.end();
+    }
+};
 
 /// A picture of a report: its content in words and numbers. A file of reports/pictures/ tells how to draw it.
 struct Picture {
@@ -65,12 +72,8 @@ std::optional<PictureGroup> radiosity_pictures(const studies::StudyResults& resu
 /// The radiant exitance on the unfolded box, exact and by each method, and its errors.
 std::vector<Picture> exitance_pictures(const studies::StudyResults& results, std::size_t scene);
 
-/// A picture of one cell with kind, id and title; the rest is to follow.
-Picture begin_picture(std::string_view kind, std::size_t cell, const std::string& label, std::string title);
+/// Parts of these; empty where a cell has nothing to draw.
 std::optional<Picture> unfolded_picture(const studies::StudyResults& results, std::size_t index);
 std::optional<Picture> estimates_picture(const studies::StudyResults& results, std::size_t cell);
-std::optional<Picture> bias_picture(const studies::StudyResults& results, std::size_t cell);
-/// Box plots, histogram, quantiles.
-std::vector<Picture> distribution_pictures(const studies::StudyResults& results, std::size_t cell);
 
 }  // namespace ff::reports

@@ -1,11 +1,8 @@
 #include "reports/pictures/line_labels.hpp"
-#include "reports/pictures/method_styles.hpp"
-#include "reports/pictures/picture_values.hpp"
-#include "reports/pictures/pictures.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/findings/standing.hpp"
-#include "reports/words/size_series.hpp"
+#include "reports/words/sizes.hpp"
 
 #include <fmt/format.h>
 
@@ -17,28 +14,8 @@
 namespace ff::reports {
 namespace {
 
-bool in_colour(const std::vector<MethodStyle>& styles, const std::string& method) {
-    return std::any_of(styles.begin(), styles.end(),
-                       [&](const MethodStyle& style) { return style.method == method && style.in_colour; });
-}
-
 std::string where(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class) {
     return fmt::format("{} pairs{}", name(pair_class), of_scene(plan, scene));
-}
-
-nlohmann::ordered_json names_of(const std::vector<SizeSeries>& all) {
-    auto names = nlohmann::ordered_json::array();
-    for (const SizeSeries& series : all) names.push_back(series.method);
-    return names;
-}
-
-nlohmann::ordered_json interval_end(const std::optional<stats::Interval>& interval, double stats::Interval::*end) {
-    return interval ? drawn((*interval).*end) : nlohmann::ordered_json();
-}
-
-/// Ends that a logarithmic axis can show.
-std::vector<double> ends_of(const std::optional<stats::Interval>& interval) {
-    return interval && interval->low > 0 ? std::vector{interval->low, interval->high} : std::vector<double>();
 }
 
 /// The two ends of a line with the slope that theory allows, through the middle of the points of a ladder.
@@ -69,30 +46,17 @@ void add_expected(const SizeSeries& series, const studies::ClassSlopes& slopes, 
     }
 }
 
-void add_measured(const studies::StudyPlan& plan, PairClass pair_class, const SizeSeries& series,
-                  PictureValues& values) {
-    const std::optional<stats::Interval> of_median;  // there is none
-    for (const SizePoint& point : series.points) {
-        const auto& interval = point.is_median ? of_median : point.found->class_error(pair_class)->interval;
-        values.add({series.method, point.is_median ? "median" : "RMSE", size_label(plan, plan.cells[point.found->cell]),
-                    point.found->evaluations_per_face, drawn(point.error),
-                    interval_end(interval, &stats::Interval::low), interval_end(interval, &stats::Interval::high)});
-    }
+std::optional<stats::Interval> interval_of(const SizePoint& point, PairClass pair_class) {
+    return point.is_median ? std::nullopt : point.found->class_error(pair_class)->interval;
 }
 
-/// Names the lines of methods in colour: those in grey have their names on the buttons below.
-void label_errors(const std::vector<SizeSeries>& all, PairClass pair_class, const std::vector<MethodStyle>& styles,
+void add_measured(const studies::StudyPlan& plan, PairClass pair_class, const SizeSeries& series,
                   PictureValues& values) {
-    LineLabels labels(HeightAxis::logarithmic);
-    for (const SizeSeries& series : all) {
-        for (const SizePoint& point : series.points) {
-            labels.make_room(point.error);
-            if (point.is_median) continue;
-            for (const double end : ends_of(point.found->class_error(pair_class)->interval)) labels.make_room(end);
-        }
-        if (in_colour(styles, series.method)) labels.add(series.method, series.method, series.points.back().error);
+    for (const SizePoint& point : series.points) {
+        const auto interval = interval_of(point, pair_class);
+        values.add({series.method, point.is_median ? "median" : "RMSE", size_label(plan, plan.cells[point.found->cell]),
+                    point.found->evaluations_per_face, drawn(point.error), drawn_low(interval), drawn_high(interval)});
     }
-    labels.set(values, style_scales(styles));
 }
 
 std::vector<std::size_t> cells_of(const studies::StudyPlan& plan, const std::vector<SizeSeries>& all,
@@ -122,73 +86,62 @@ std::string smallest_errors_in_words(const studies::Analysis& findings, const st
 Picture convergence_picture(const studies::Analysis& findings, std::size_t scene, PairClass pair_class,
                             const std::vector<SizeSeries>& all, const std::vector<MethodStyle>& styles) {
     PictureValues values({"method", "role", "size", "evaluations", "error", "low", "high"});
+    MethodLines lines(styles, HeightAxis::logarithmic);
     for (const SizeSeries& series : all) {
         add_measured(findings.plan, pair_class, series, values);
         for (const studies::ClassSlopes* slopes : series.ladders) add_expected(series, *slopes, values);
+        for (const SizePoint& point : series.points) {
+            lines.make_room(point.error);
+            lines.make_room(interval_of(point, pair_class));
+        }
+        lines.add(series.method, series.method, series.points.back().error);
     }
-    values.set("isolate", names_of(all));
-    label_errors(all, pair_class, styles, values);
+    lines.set(values);
     const std::string place = where(findings.plan, scene, pair_class);
-    Picture picture;
-    picture.id = slug(fmt::format("convergence-{}", place));
-    picture.kind = "convergence";
-    picture.title = fmt::format("Error against evaluations, {}.", place);
-    const std::string smallest = smallest_errors_in_words(findings, all, pair_class);
-    picture.finding = fmt::format("{}Bands and bars: {:g} % intervals; dashed: the slope that theory expects.",
-                                  smallest, 100 * findings.plan.spec.level);
-    picture.description = fmt::format(
-        "RMSE of a run on {} against evaluations per face, both logarithmic, with {:g} % intervals, a line for each "
-        "method; where the variance is infinite, the median of the absolute error. Thin dashed lines have the slope "
-        "that theory expects. {}",
-        place, 100 * findings.plan.spec.level, smallest);
-    picture.values = values.text();
+    const double percents = 100 * findings.plan.spec.level;
+    Picture picture = picture_of(
+        values, "convergence", fmt::format("convergence-{}", place),
+        fmt::format("Error against evaluations, {}.", place), smallest_errors_in_words(findings, all, pair_class),
+        fmt::format("RMSE of a run on {} against evaluations per face, both logarithmic, with {:g} % intervals, a line "
+                    "for each method; where the variance is infinite, the median of the absolute error. Thin dashed "
+                    "lines have the slope that theory expects.",
+                    place, percents));
+    picture.finding +=
+        fmt::format("Bands and bars: {:g} % intervals; dashed: the slope that theory expects.", percents);
     return picture;
 }
 
 std::optional<Picture> efficiency_picture(const studies::Analysis& findings, std::size_t scene, PairClass pair_class,
                                           const std::vector<SizeSeries>& all, const std::vector<MethodStyle>& styles) {
     PictureValues values({"method", "size", "evaluations", "efficiency", "low", "high"});
-    auto names = nlohmann::ordered_json::array();
     std::vector<std::size_t> cells;
-    LineLabels labels(HeightAxis::logarithmic);
-    const auto efficiency = [&](const studies::CellAnalysis& found) {
-        return found.class_error(pair_class)->efficiency;
-    };
+    MethodLines lines(styles, HeightAxis::logarithmic);
     for (const SizeSeries& series : all) {
         std::optional<double> last;
         for (const SizePoint& point : series.points) {
             const studies::CellAnalysis& found = *point.found;
-            if (!efficiency(found)) continue;
             const studies::ClassError& error = *found.class_error(pair_class);
+            if (!error.efficiency) continue;
             values.add({series.method, size_label(findings.plan, findings.plan.cells[found.cell]),
-                        found.evaluations_per_face, drawn(error.efficiency),
-                        interval_end(error.efficiency_interval, &stats::Interval::low),
-                        interval_end(error.efficiency_interval, &stats::Interval::high)});
+                        found.evaluations_per_face, drawn(error.efficiency), drawn_low(error.efficiency_interval),
+                        drawn_high(error.efficiency_interval)});
             cells.push_back(found.cell);
-            last = *efficiency(found);
-            labels.make_room(*last);
-            for (const double end : ends_of(error.efficiency_interval)) labels.make_room(end);
+            last = *error.efficiency;
+            lines.make_room(*last);
+            lines.make_room(error.efficiency_interval);
         }
-        if (!last) continue;
-        names.push_back(series.method);
-        if (in_colour(styles, series.method)) labels.add(series.method, series.method, *last);
+        if (last) lines.add(series.method, series.method, *last);
     }
     if (cells.size() < 2) return std::nullopt;
-    values.set("isolate", std::move(names));
-    labels.set(values, style_scales(styles));
+    lines.set(values);
     const std::string place = where(findings.plan, scene, pair_class);
-    Picture picture;
-    picture.id = slug(fmt::format("efficiency-{}", place));
-    picture.kind = "efficiency";
-    picture.title = fmt::format("Efficiency against evaluations, {}.", place);
     const std::string largest = largest_efficiencies(findings, cells, pair_class);
-    picture.finding = largest.empty() ? "Bars: intervals." : fmt::format("Per evaluation {}.", largest);
-    picture.description = fmt::format(
-        "1 / (RMSE² N) of the sampled methods on {} against N, the evaluations for a face, "
-        "with {:g} % intervals. {}",
-        place, 100 * findings.plan.spec.level, picture.finding);
-    picture.values = values.text();
-    return picture;
+    return picture_of(values, "efficiency", fmt::format("efficiency-{}", place),
+                      fmt::format("Efficiency against evaluations, {}.", place),
+                      largest.empty() ? "Bars: intervals." : fmt::format("Per evaluation {}.", largest),
+                      fmt::format("1 / (RMSE² N) of the sampled methods on {} against N, the evaluations for a face, "
+                                  "with {:g} % intervals.",
+                                  place, 100 * findings.plan.spec.level));
 }
 
 }  // namespace

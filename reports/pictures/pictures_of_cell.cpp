@@ -2,8 +2,8 @@
 #include "reports/pictures/pictures.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/words/cells_in_between.hpp"
 #include "reports/words/findings/verdicts.hpp"
+#include "reports/words/sizes.hpp"
 
 #include <fmt/format.h>
 
@@ -16,6 +16,97 @@
 
 namespace ff::reports {
 namespace {
+
+using studies::ErrorShape;
+
+/// What all pictures of a cell's errors share.
+struct Distribution {
+    const studies::CellAnalysis& found;
+    const Scene& scene;
+    std::string label;
+    Json pairs;  ///< names, in the order of the shapes
+};
+
+std::string pair_name(const Distribution& d, const ErrorShape& shape) {
+    return quantity_label(d.scene, shape.quantity);
+}
+
+Json choice_of(const Distribution& d) {
+    return {{"signal", "pair"}, {"label", "Pair"}, {"values", d.pairs}};
+}
+
+Picture box_plots(const Distribution& d) {
+    PictureValues values({"pair", "min", "q05", "q25", "median", "q75", "q95", "max"});
+    const studies::Summary* widest = nullptr;
+    for (const ErrorShape& shape : d.found.shapes) {
+        const studies::Summary& s = d.found.summary(shape.quantity);
+        const auto error = [&](const std::optional<double>& value) { return drawn(*value - *s.reference); };
+        values.add({pair_name(d, shape), error(s.min), error(s.q05), drawn(shape.q25), error(s.median),
+                    drawn(shape.q75), error(s.q95), error(s.max)});
+        if (widest == nullptr || *s.q95 - *s.q05 > *widest->q95 - *widest->q05) widest = &s;
+    }
+    return picture_of_cell(values, "errors", d.found.cell, d.label, "Errors of single runs by pair",
+                           fmt::format("The widest spread is that of {}: 90 % of its runs err by {:+.2e} to {:+.2e}.",
+                                       quantity_label(d.scene, widest->quantity), *widest->q05 - *widest->reference,
+                                       *widest->q95 - *widest->reference),
+                           "For each pair the range of all errors (thin), of the middle 90 % (thick) and of the middle "
+                           "half (box), with the "
+                           "median.");
+}
+
+Picture histogram(const Distribution& d) {
+    PictureValues values({"pair", "low", "high", "count", "normal"});
+    const studies::Summary* least = nullptr;
+    for (const ErrorShape& shape : d.found.shapes) {
+        const std::string pair = pair_name(d, shape);
+        for (const ErrorShape::Bin& bin : shape.bins) {
+            values.add({pair, drawn(bin.low, 4), drawn(bin.high, 4), bin.runs, drawn(bin.normal, 3)});
+        }
+        const studies::Summary& s = d.found.summary(shape.quantity);
+        if (s.normality_p && (least == nullptr || *s.normality_p < *least->normality_p)) least = &s;
+    }
+    values.set("choose", choice_of(d));
+    const std::string finding =
+        least == nullptr ? "There are too few runs for a test of normality."
+                         : fmt::format("The least normal of {} pairs is {}: Anderson-Darling {} by itself, n = {}.",
+                                       d.found.shapes.size(), quantity_label(d.scene, least->quantity),
+                                       p_text(*least->normality_p), least->trials);
+    return picture_of_cell(values, "histogram", d.found.cell, d.label, "How the errors of single runs are distributed",
+                           finding,
+                           "A histogram of the errors of one pair at a time, with what a normal distribution of their "
+                           "mean and spread would give.");
+}
+
+Picture quantile_plot(const Distribution& d) {
+    PictureValues values({"pair", "normal", "runs"});
+    const ErrorShape* farthest = nullptr;
+    double distance = -1;
+    for (const ErrorShape& shape : d.found.shapes) {
+        for (const ErrorShape::QuantilePair& q : shape.quantiles) {
+            values.add({pair_name(d, shape), drawn(q.normal, 3), drawn(q.runs, 3)});
+            if (std::abs(q.runs - q.normal) <= distance) continue;
+            distance = std::abs(q.runs - q.normal);
+            farthest = &shape;
+        }
+    }
+    values.set("choose", choice_of(d));
+    return picture_of_cell(
+        values, "qq", d.found.cell, d.label, "Quantiles of the errors against normal ones",
+        fmt::format("No quantile is farther from the line than {:.2g} standard deviations ({}).", distance,
+                    pair_name(d, *farthest)),
+        "Quantiles of the errors of one pair at a time against those of a normal distribution, in standard deviations; "
+        "on the line where both agree.");
+}
+
+std::vector<Picture> distribution_pictures(const studies::StudyResults& results, std::size_t cell) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    const studies::CellAnalysis& found = results.findings.cells[cell];
+    if (found.shapes.empty()) return {};
+    const studies::Cell& planned = plan.cells[found.cell];
+    Distribution d{found, plan.scenes[planned.scene], cell_label(plan, planned), Json::array()};
+    for (const ErrorShape& shape : found.shapes) d.pairs.push_back(pair_name(d, shape));
+    return {box_plots(d), histogram(d), quantile_plot(d)};
+}
 
 using studies::CellAnalysis;
 using studies::Quantity;
@@ -60,15 +151,26 @@ std::map<Quantity, std::string> printed_figures(const studies::StudyResults& res
     return printed;
 }
 
-}  // namespace
-
-Picture begin_picture(std::string_view kind, std::size_t cell, const std::string& label, std::string title) {
-    Picture picture;
-    picture.kind = kind;
-    picture.id = slug(fmt::format("{}-{}-{}", kind, cell, label));
-    picture.title = std::move(title);
-    return picture;
+std::optional<Picture> bias_picture(const studies::StudyResults& results, std::size_t cell) {
+    const CellView v = view(results, cell);
+    PictureValues values({"pair", "from", "to", "z", "bias", "error"});
+    const Summary* largest = nullptr;
+    for (const Summary& s : v.found.summaries) {
+        if (s.quantity.kind != QuantityKind::form_factor || !s.bias_se || *s.bias_se == 0) continue;
+        if (largest == nullptr || std::abs(*s.bias / *s.bias_se) > std::abs(*largest->bias / *largest->bias_se))
+            largest = &s;
+        values.add({quantity_label(v.scene, s.quantity), from_label(v.scene, s.quantity), to_label(v.scene, s.quantity),
+                    drawn(*s.bias / *s.bias_se), drawn(s.bias), drawn(s.bias_se)});
+    }
+    if (largest == nullptr) return std::nullopt;
+    return picture_of_cell(
+        values, "bias_map", v.found.cell, v.label, "Bias in units of its standard error",
+        fmt::format("The largest is {:+.1f}, on {}; all pairs together: {}.", *largest->bias / *largest->bias_se,
+                    quantity_label(v.scene, largest->quantity), bias_in_words(v.found)),
+        "A square for each ordered pair of faces, coloured by bias / standard error.");
 }
+
+}  // namespace
 
 std::optional<Picture> estimates_picture(const studies::StudyResults& results, std::size_t cell) {
     const CellView v = view(results, cell);
@@ -93,17 +195,15 @@ std::optional<Picture> estimates_picture(const studies::StudyResults& results, s
                     shown ? figure->second : ""});
     }
     if (values.empty()) return std::nullopt;
-    auto shown = nlohmann::ordered_json::array({"exact", "ours"});
+    auto shown = Json::array({"exact", "ours"});
     if (v.found.trials > 1) shown.push_back("95 % of single runs");
     if (!printed.empty()) shown.push_back("published");
-    const nlohmann::ordered_json labels{{"ours", intervals > 0 ? "mean, its interval" : "computed"}};
+    const Json labels{{"ours", intervals > 0 ? "mean, its interval" : "computed"}};
     values.set("signals", {{"shown", std::move(shown)}, {"labels", labels}});
-    Picture picture = begin_picture("estimates", v.found.cell, v.label,
-                                    fmt::format("Estimates against the exact values, {}.", v.label));
+    std::string finding;
     if (intervals > 0) {
-        picture.finding = fmt::format(
-            "Intervals that miss the exact value ({:g} %, {} trials): {} of {}, where "
-            "chance alone makes {:.2g}.",
+        finding = fmt::format(
+            "Intervals that miss the exact value ({:g} %, {} trials): {} of {}, where chance alone makes {:.2g}.",
             100 * results.findings.plan.spec.level, v.found.trials, missed, intervals,
             static_cast<double>(intervals) * (1 - results.findings.plan.spec.level));
     } else {
@@ -111,39 +211,13 @@ std::optional<Picture> estimates_picture(const studies::StudyResults& results, s
         const auto* largest = *std::max_element(worst.begin(), worst.end(), [](const Summary* a, const Summary* b) {
             return std::abs(a->bias.value_or(0)) < std::abs(b->bias.value_or(0));
         });
-        picture.finding = fmt::format("The largest error is {:+.2e}, on {}.", largest->bias.value_or(0),
-                                      quantity_label(v.scene, largest->quantity));
+        finding = fmt::format("The largest error is {:+.2e}, on {}.", largest->bias.value_or(0),
+                              quantity_label(v.scene, largest->quantity));
     }
-    if (!printed.empty()) picture.finding += fmt::format(" {} published values are marked.", printed.size());
-    picture.description = fmt::format(
-        "For each pair the exact form factor, the mean of the runs with its interval, and the "
-        "range of 95 % of single runs. {}",
-        picture.finding);
-    picture.values = values.text();
-    return picture;
-}
-
-std::optional<Picture> bias_picture(const studies::StudyResults& results, std::size_t cell) {
-    const CellView v = view(results, cell);
-    PictureValues values({"pair", "from", "to", "z", "bias", "error"});
-    const Summary* largest = nullptr;
-    for (const Summary& s : v.found.summaries) {
-        if (s.quantity.kind != QuantityKind::form_factor || !s.bias_se || *s.bias_se == 0) continue;
-        if (largest == nullptr || std::abs(*s.bias / *s.bias_se) > std::abs(*largest->bias / *largest->bias_se))
-            largest = &s;
-        values.add({quantity_label(v.scene, s.quantity), from_label(v.scene, s.quantity), to_label(v.scene, s.quantity),
-                    drawn(*s.bias / *s.bias_se), drawn(s.bias), drawn(s.bias_se)});
-    }
-    if (largest == nullptr) return std::nullopt;
-    Picture picture = begin_picture("bias_map", v.found.cell, v.label,
-                                    fmt::format("Bias in units of its standard error, {}.", v.label));
-    picture.finding =
-        fmt::format("The largest is {:+.1f}, on {}; all pairs together: {}.", *largest->bias / *largest->bias_se,
-                    quantity_label(v.scene, largest->quantity), bias_in_words(v.found));
-    picture.description =
-        fmt::format("A square for each ordered pair of faces, coloured by bias / standard error. {}", picture.finding);
-    picture.values = values.text();
-    return picture;
+    if (!printed.empty()) finding += fmt::format(" {} published values are marked.", printed.size());
+    return picture_of_cell(values, "estimates", v.found.cell, v.label, "Estimates against the exact values", finding,
+                           "For each pair the exact form factor, the mean of the runs with its interval, and the range "
+                           "of 95 % of single runs.");
 }
 
 std::vector<Picture> pictures_of_cell(const studies::StudyResults& results, std::size_t cell) {

@@ -1,7 +1,4 @@
 #include "reports/pictures/line_labels.hpp"
-#include "reports/pictures/method_styles.hpp"
-#include "reports/pictures/picture_values.hpp"
-#include "reports/pictures/pictures.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/findings/radiosity_words.hpp"
@@ -24,10 +21,6 @@ struct Shown {
     studies::radiosity::Treatment treatment;
     bool own = true;  ///< whether the method itself completes the matrix so
     const Consequences* found;
-
-    [[nodiscard]] std::string label() const {
-        return fmt::format("{}, {}, {}", method, size, studies::radiosity::name(treatment));
-    }
 };
 
 /// What the verdict compares, with each treatment, but for treatments that change nothing.
@@ -53,33 +46,13 @@ std::optional<double> same_everywhere(const StudyPlan& plan, std::size_t setting
     return reflectance.size() == 1 ? std::optional(reflectance.front()) : std::nullopt;
 }
 
-/// Their lines, solid as methods complete their matrices and dashed where these are balanced.
-class Lines {
-  public:
-    Lines(const studies::StudyResults& results, HeightAxis axis) : styles_(method_styles(results)), labels_(axis) {}
-
-    void make_room(double value) { labels_.make_room(value); }
-    void add(const Shown& line, double last, const std::vector<Shown>& all) {
-        if (std::find(methods_.begin(), methods_.end(), line.method) == methods_.end()) methods_.push_back(line.method);
-        const auto style = std::find_if(styles_.begin(), styles_.end(),
-                                        [&](const MethodStyle& each) { return each.method == line.method; });
-        if (!style->in_colour) return;
-        const bool several = std::any_of(all.begin(), all.end(), [&](const Shown& other) {
-            return other.method == line.method && other.size != line.size;
-        });
-        labels_.add(line.method,
-                    line.method + (several ? ", " + line.size : std::string()) + (line.own ? "" : ", balanced"), last);
-    }
-    void set(PictureValues& values) const {
-        values.set("isolate", methods_);
-        labels_.set(values, style_scales(styles_));
-    }
-
-  private:
-    std::vector<MethodStyle> styles_;
-    LineLabels labels_;
-    std::vector<std::string> methods_;
-};
+/// Ends its line, which is solid as methods complete their matrices and dashed where these are balanced.
+void add_line(MethodLines& lines, const Shown& line, double last, const std::vector<Shown>& all) {
+    const bool several = std::any_of(all.begin(), all.end(), [&](const Shown& other) {
+        return other.method == line.method && other.size != line.size;
+    });
+    lines.add(line.method, line.method + (several ? ", " + line.size : "") + (line.own ? "" : ", balanced"), last);
+}
 
 constexpr const char* dashes_in_words = "Dashed: after the matrix is balanced.";
 
@@ -87,7 +60,7 @@ std::optional<Picture> errors_picture(const studies::StudyResults& results, std:
                                       const std::vector<Shown>& shown) {
     const StudyPlan& plan = results.findings.plan;
     PictureValues values({"method", "size", "treatment", "own", "reflectance", "absorbed", "rmse", "bias", "negative"});
-    Lines lines(results, HeightAxis::logarithmic);
+    MethodLines lines(method_styles(results), HeightAxis::logarithmic);
     double largest = 0;
     std::string where;
     for (const Shown& each : shown) {
@@ -106,28 +79,22 @@ std::optional<Picture> errors_picture(const studies::StudyResults& results, std:
             largest = rmse;
             where = setting_text(plan, at.setting);
         }
-        if (last) lines.add(each, *last, shown);
+        if (last) add_line(lines, each, *last, shown);
     }
     if (where.empty()) return std::nullopt;
     lines.set(values);
-    Picture picture;
-    picture.id = slug(fmt::format("light-errors{}", of_scene(plan, scene)));
-    picture.kind = "light_errors";
-    picture.title = fmt::format("How the exitance error grows with reflectance{}.", of_scene(plan, scene));
-    picture.finding = fmt::format("Errors reach {}, at reflectance {}. {}", percent(largest), where, dashes_in_words);
-    picture.description = fmt::format(
-        "Relative RMSE of the exitance, over faces and runs, against 1 − reflectance, both logarithmic, a line for "
-        "each method as it completes its matrix, and one after the matrix is balanced. {}",
-        picture.finding);
-    picture.values = values.text();
-    return picture;
+    return picture_of(values, "light_errors", fmt::format("light-errors{}", of_scene(plan, scene)),
+                      fmt::format("How the exitance error grows with reflectance{}.", of_scene(plan, scene)),
+                      fmt::format("Errors reach {}, at reflectance {}. {}", percent(largest), where, dashes_in_words),
+                      "Relative RMSE of the exitance, over faces and runs, against 1 − reflectance, both logarithmic, "
+                      "a line for each method as it completes its matrix, and one after the matrix is balanced.");
 }
 
 std::optional<Picture> radius_picture(const studies::StudyResults& results, std::size_t scene,
                                       const std::vector<Shown>& shown) {
     const StudyPlan& plan = results.findings.plan;
     PictureValues values({"method", "size", "treatment", "own", "reflectance", "radius", "least", "largest"});
-    Lines lines(results, HeightAxis::linear);
+    MethodLines lines(method_styles(results), HeightAxis::linear);
     lines.make_room(1);
     double limit = 1;
     for (const Shown& each : shown) {
@@ -141,24 +108,19 @@ std::optional<Picture> radius_picture(const studies::StudyResults& results, std:
             for (const double value : {radius.median, radius.least, radius.largest}) lines.make_room(value);
             last = radius.median;
         }
-        if (last) lines.add(each, *last, shown);
+        if (last) add_line(lines, each, *last, shown);
         limit = std::min(limit, each.found->convergent_below.least);
     }
     if (values.empty()) return std::nullopt;
     lines.set(values);
-    Picture picture;
-    picture.id = slug(fmt::format("spectral-radius{}", of_scene(plan, scene)));
-    picture.kind = "spectral_radius";
-    picture.title = fmt::format("Spectral radius against reflectance{}.", of_scene(plan, scene));
-    picture.finding = limit < 1 - 1e-12 ? fmt::format("In some run it reaches 1 at reflectance {}.", brief(limit, 4))
-                                        : "It stays below 1 for every reflectance below 1, whatever the method.";
-    picture.finding += fmt::format(" {}", dashes_in_words);
-    picture.description = fmt::format(
-        "Spectral radius of P F, median and range over runs, against the reflectance of all faces, with the line above "
-        "which iterations diverge. {}",
-        picture.finding);
-    picture.values = values.text();
-    return picture;
+    const std::string reach = limit < 1 - 1e-12
+                                  ? fmt::format("In some run it reaches 1 at reflectance {}.", brief(limit, 4))
+                                  : "It stays below 1 for every reflectance below 1, whatever the method.";
+    return picture_of(values, "spectral_radius", fmt::format("spectral-radius{}", of_scene(plan, scene)),
+                      fmt::format("Spectral radius against reflectance{}.", of_scene(plan, scene)),
+                      fmt::format("{} {}", reach, dashes_in_words),
+                      "Spectral radius of P F, median and range over runs, against the reflectance of all faces, with "
+                      "the line above which iterations diverge.");
 }
 
 /// Some iterations of a long history: all at the start, then ever fewer.
@@ -172,7 +134,7 @@ bool is_drawn(std::size_t iteration, std::size_t last) {
 std::optional<Picture> residuals_picture(const studies::StudyResults& results, std::size_t scene) {
     const StudyPlan& plan = results.findings.plan;
     PictureValues values({"system", "solver", "iteration", "residual"});
-    auto systems = nlohmann::ordered_json::array();
+    auto systems = Json::array();
     std::set<std::string> failed;
     const auto add = [&](const std::string& label, const std::vector<studies::radiosity::SolverStatistics>& solvers) {
         if (solvers.empty()) return;
@@ -201,18 +163,13 @@ std::optional<Picture> residuals_picture(const studies::StudyResults& results, s
     if (values.empty()) return std::nullopt;
     const std::size_t count = systems.size();
     values.set("choose", {{"signal", "system"}, {"label", "System"}, {"values", std::move(systems)}});
-    Picture picture;
-    picture.id = slug(fmt::format("residuals{}", of_scene(plan, scene)));
-    picture.kind = "residuals";
-    picture.title = fmt::format("Residual histories{}.", of_scene(plan, scene));
-    picture.finding = failed.empty() ? fmt::format("No solver diverges on any of the {} systems.", count)
-                                     : fmt::format("Some solver diverges on {} of the {} systems: {}.", failed.size(),
-                                                   count, fmt::join(failed, "; "));
-    picture.description = fmt::format(
-        "Largest residual against iteration, a line for each solver, on the first trial of the chosen system. {}",
-        picture.finding);
-    picture.values = values.text();
-    return picture;
+    return picture_of(
+        values, "residuals", fmt::format("residuals{}", of_scene(plan, scene)),
+        fmt::format("Residual histories{}.", of_scene(plan, scene)),
+        failed.empty() ? fmt::format("No solver diverges on any of the {} systems.", count)
+                       : fmt::format("Some solver diverges on {} of the {} systems: {}.", failed.size(), count,
+                                     fmt::join(failed, "; ")),
+        "Largest residual against iteration, a line for each solver, on the first trial of the chosen system.");
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "reports/pictures/method_choice.hpp"
 #include "reports/pictures/picture_values.hpp"
 #include "reports/pictures/pictures.hpp"
 #include "reports/words/findings/standing.hpp"
@@ -26,7 +25,7 @@ class RankingRows {
     [[nodiscard]] std::size_t rows() const { return rows_; }
     [[nodiscard]] bool full() const { return blocks_ >= most_blocks; }
     PictureValues& values() { return values_; }
-    [[nodiscard]] const nlohmann::ordered_json& order() const { return order_; }
+    [[nodiscard]] const Json& order() const { return order_; }
     [[nodiscard]] const std::set<std::string>& methods() const { return methods_; }
 
   private:
@@ -36,7 +35,7 @@ class RankingRows {
     bool begun_ = false;  ///< whether the heading of this block stands
     PictureValues values_{{"row", "method", "size", "value", "low", "high", "end", "expected", "group"}};
     std::string block_;
-    nlohmann::ordered_json order_ = nlohmann::ordered_json::array();
+    Json order_ = Json::array();
     std::size_t blocks_ = 0;
     std::size_t rows_ = 0;
     std::set<std::string> methods_;

@@ -2,9 +2,9 @@
 
 #include "core/support/contract.hpp"
 #include "reports/templates/mustache.hpp"
+#include "reports/text/json_values.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,6 @@
 
 namespace ff::reports {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double ranking_width = 640;
 constexpr double axis_left = 200;  // labels stand before it

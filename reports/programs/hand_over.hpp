@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reports/words/form_factor_warnings.hpp"
+#include "reports/words/scene_reports.hpp"
 
 #include <optional>
 #include <ostream>

@@ -1,8 +1,8 @@
 #include "reports/tables/tables.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/words/cells_in_between.hpp"
 #include "reports/words/findings/verdicts.hpp"
+#include "reports/words/sizes.hpp"
 
 #include <fmt/format.h>
 

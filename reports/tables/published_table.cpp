@@ -1,6 +1,6 @@
 #include "reports/tables/tables.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/words/published_cells.hpp"
+#include "reports/words/published_words.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "reports/tables/radiosity_tables.hpp"
+#include "reports/tables/tables.hpp"
 
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"

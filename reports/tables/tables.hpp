@@ -4,6 +4,7 @@
 #include "studies/results/results.hpp"
 
 #include <cstddef>
+#include <vector>
 
 namespace ff::reports {
 
@@ -59,5 +60,8 @@ Table claims_table(const studies::PublishedResults& published);
 
 /// Every distinct pair and row sum of one cell: exact value, mean, bias with interval, spread.
 Table pairs_table(const studies::StudyResults& results, std::size_t cell);
+
+/// Matrices, exitance, solvers and the order of the bias; empty where the study has no [radiosity].
+std::vector<Table> radiosity_tables(const studies::StudyResults& results);
 
 }  // namespace ff::reports

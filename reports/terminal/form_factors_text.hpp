@@ -1,7 +1,7 @@
 #pragma once
 
 #include "reports/text/text_style.hpp"
-#include "reports/words/form_factor_warnings.hpp"
+#include "reports/words/scene_reports.hpp"
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reports/text/colour.hpp"
+#include "reports/text/text_style.hpp"
 #include "studies/verdicts/gate_result.hpp"
 #include "studies/verdicts/reported/estimate_gates.hpp"
 #include "studies/verdicts/seed_sweep.hpp"

@@ -2,7 +2,7 @@
 
 #include "reports/text/numbers.hpp"
 #include "reports/text/text_table.hpp"
-#include "reports/words/form_factor_warnings.hpp"
+#include "reports/words/scene_reports.hpp"
 
 #include <fmt/format.h>
 

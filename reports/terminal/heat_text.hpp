@@ -2,7 +2,7 @@
 
 #include "reports/text/table.hpp"
 #include "reports/text/text_style.hpp"
-#include "reports/words/heat_report.hpp"
+#include "reports/words/scene_reports.hpp"
 
 #include <cstddef>
 #include <string>

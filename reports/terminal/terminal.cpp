@@ -1,30 +1,97 @@
 #include "reports/terminal/terminal.hpp"
 
 #include "reports/tables/tables.hpp"
-#include "reports/terminal/terminal_sections.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
+#include "reports/text/text_plot.hpp"
 #include "reports/text/text_table.hpp"
-#include "reports/words/audit_summary.hpp"
-#include "reports/words/cells_in_between.hpp"
-#include "reports/words/findings/claim_words.hpp"
 #include "reports/words/findings/coverage_words.hpp"
 #include "reports/words/findings/occlusion_words.hpp"
 #include "reports/words/findings/radiosity_words.hpp"
-#include "reports/words/findings/reduction_words.hpp"
-#include "reports/words/findings/tail_words.hpp"
-#include "reports/words/findings/until_words.hpp"
 #include "reports/words/findings/verdicts.hpp"
-#include "reports/words/published_summary.hpp"
+#include "reports/words/in_brief.hpp"
+#include "reports/words/published_words.hpp"
+#include "reports/words/sizes.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <utility>
 #include <vector>
 
 namespace ff::reports {
 namespace {
+
+std::string terminal_slopes(const studies::StudyResults& results, const TextStyle& style) {
+    if (results.slopes.empty()) return {};
+    return fmt::format("\nSlopes of ln(error) on ln(N), ± half of the {:g} % interval\n{}",
+                       100 * results.findings.plan.spec.level, text_table(slopes_table(results), style));
+}
+
+/// More series than this are a thicket: then the best and the worst are drawn.
+constexpr std::size_t at_most = 6;
+constexpr std::size_t best_of_many = 3;
+
+constexpr std::size_t widest = 56;
+constexpr std::size_t margin = 12;  // of a plot: the labels of its y axis
+constexpr std::size_t narrowest = margin + 20;
+
+bool is_ladder(const SizeSeries& series) {
+    return !series.ladders.empty() && series.points.size() > 2;
+}
+
+bool ends_lower(const SizeSeries& a, const SizeSeries& b) {
+    return a.points.back().error < b.points.back().error;
+}
+
+PlottedSeries plotted(const SizeSeries& series) {
+    PlottedSeries letters{series.method + (series.points.front().is_median ? " (median)" : ""), {}};
+    for (const SizePoint& point : series.points)
+        letters.points.emplace_back(static_cast<double>(point.found->evaluations_per_face), point.error);
+    return letters;
+}
+
+std::string plot_of(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class,
+                    std::vector<SizeSeries> all, const TextStyle& style) {
+    std::string which;
+    if (all.size() > at_most) {
+        // The one error of a deterministic method may be small by luck.
+        std::erase_if(
+            all, [&](const SizeSeries& series) { return plan.cells[series.points.back().found->cell].deterministic; });
+    }
+    if (all.size() > at_most) {
+        which = fmt::format(" (of {1} sampled methods those whose lines end lowest, {0}, and highest)", best_of_many,
+                            all.size());
+        std::stable_sort(all.begin(), all.end(), ends_lower);
+        all.erase(all.begin() + best_of_many, all.end() - 1);
+    }
+    std::vector<PlottedSeries> letters;
+    for (const SizeSeries& series : all) letters.push_back(plotted(series));
+    const std::string plot = text_plot(letters, std::min(widest, std::max(style.width, narrowest) - margin));
+    if (plot.empty()) return {};
+    return fmt::format("\nRMSE of a run against evaluations per face, {} pairs{}{}\n{}", name(pair_class),
+                       of_scene(plan, scene), which, plot);
+}
+
+/// Error against evaluations, drawn with letters, where a class of pairs has two ladders or more; of more than six the
+/// best and the worst.
+std::string terminal_plots(const studies::StudyResults& results, const TextStyle& style) {
+    if (results.slopes.empty()) return {};
+    const studies::StudyPlan& plan = results.findings.plan;
+    std::string out;
+    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+        for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+            std::vector<SizeSeries> ladders;
+            for (SizeSeries& series : size_series(results, scene, pair_class)) {
+                if (is_ladder(series)) ladders.push_back(std::move(series));
+            }
+            // A ladder alone is told by its slope.
+            if (ladders.size() > 1) out += plot_of(plan, scene, pair_class, std::move(ladders), style);
+        }
+    }
+    return out;
+}
 
 /// Nothing for a table without rows.
 std::string titled(const Table& table, const TextStyle& style) {

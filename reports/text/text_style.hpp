@@ -1,11 +1,18 @@
 #pragma once
 
-#include "reports/text/colour.hpp"
+#include "reports/text/table.hpp"
 
 #include <cstddef>
 #include <limits>
+#include <string>
 
 namespace ff::reports {
+
+/// Whether a terminal is to show colours.
+enum class Colour { none, ansi };
+
+/// The text in the colour of its mark: green good, red bad, yellow open, bold surprising.
+std::string painted(const std::string& text, Mark mark, Colour colour);
 
 /// The capabilities of a terminal. A file, as another destination, has no colours and unlimited width.
 struct TextStyle {

@@ -1,14 +1,246 @@
 #include "reports/words/answer.hpp"
 
-#include "reports/words/premise.hpp"
-#include "reports/words/published_summary.hpp"
+#include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
+#include "reports/words/findings/coverage_words.hpp"
+#include "reports/words/findings/occlusion_words.hpp"
+#include "reports/words/findings/radiosity_words.hpp"
+#include "reports/words/published_words.hpp"
+#include "studies/analysis/configuration_estimates.hpp"
+#include "studies/comparison/decisions.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <string_view>
 #include <utility>
 
 namespace ff::reports {
+namespace {
+
+using studies::ConfigurationEstimate;
+using studies::StudyResults;
+
+/// A clause for each ranking; those of rates or errors of a scene share one where the same is said.
+std::vector<std::string> clauses_of(const studies::StudyPlan& plan, const std::vector<Ranking>& rankings) {
+    std::vector<std::string> clauses;
+    for (auto first = rankings.begin(); first != rankings.end();) {
+        std::vector<std::string> classes{std::string(name(first->pair_class))};
+        auto next = std::next(first);
+        for (; next != rankings.end() && next->scene == first->scene && next->said == first->said; ++next) {
+            if (next->random_cell) break;
+            classes.emplace_back(name(next->pair_class));
+        }
+        clauses.push_back(on_pairs(plan, first->scene, listed(std::move(classes))) + first->said);
+        first = next;
+    }
+    return clauses;
+}
+
+std::string bars(const StudyResults& results) {
+    return fmt::format("Bars: {:g} % intervals.", 100 * results.findings.plan.spec.level);
+}
+
+/// What methods are ranked by, with letters for groups.
+MainFinding of_rankings(const StudyResults& results, std::vector<Ranking> rankings, MainFinding found,
+                        std::string_view ticks) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    found.clauses = clauses_of(plan, rankings);
+    found.rankings = std::move(rankings);
+    found.note = fmt::format("{}{} {}", bars(results), ticks,
+                             letters_in_words(plan.spec.level, found.rankings.size() > 1 ? " in all blocks" : ""));
+    return found;
+}
+
+std::optional<MainFinding> on_light(const StudyResults& results) {
+    const auto light = light_in_brief(results);
+    if (!light) return std::nullopt;
+    return MainFinding{Subject::light, "What do form-factor errors do to the light?", {light->clause}};
+}
+
+std::optional<MainFinding> on_occlusion(const StudyResults& results) {
+    const std::string clause = occlusion_clause(results);
+    if (clause.empty()) return std::nullopt;
+    return MainFinding{
+        Subject::occlusion, "Which method has the smallest error, with and without occlusion?", {clause}};
+}
+
+std::optional<MainFinding> on_coverage(const StudyResults& results) {
+    if (results.coverage.empty()) return std::nullopt;
+    return MainFinding{
+        .subject = Subject::coverage,
+        .question = "How often do intervals contain the exact value?",
+        .clauses = coverage_clauses(results),
+        .rankings = least_coverage(results),
+        .title = "Least coverage of each rule with R replicates.",
+        .axis = "share of intervals that contain the exact value",
+        .note = bars(results) +
+                " Grey ticks: what the intervals promise. Colour and symbol: the method with least coverage.",
+    };
+}
+
+MainFinding on_errors(const StudyResults& results) {
+    return of_rankings(results, rank_compared_errors(results),
+                       {.question = "Which method has the smallest error?",
+                        .title = "Error of each method, smallest first.",
+                        .axis = "RMSE of a run",
+                        .logarithmic = true},
+                       "");
+}
+
+std::optional<MainFinding> on_publication(const StudyResults& results) {
+    if (!results.published) return std::nullopt;
+    MainFinding found = on_errors(results);
+    found.subject = Subject::publication;
+    found.question = "Which method is more accurate, and do the published figures hold?";
+    return found;
+}
+
+/// The best methods on each kind of pairs, by the share of scenes.
+std::optional<MainFinding> on_choice(const StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    if (results.slopes.empty() || studies::configuration_estimates(results.findings).empty()) return std::nullopt;
+    MainFinding found{.subject = Subject::choice,
+                      .question = "Which method is best on which kind of pairs?",
+                      .title = "The methods that are best in the most scenes.",
+                      .axis = "share of scenes where nothing is shown to be better",
+                      .note = "At equal evaluations, of the scenes that a method can do."};
+    for (const studies::Decision& decision : studies::decide(plan, results.contests, studies::Equal::evaluations)) {
+        if (decision.choices.empty()) continue;
+        const studies::Choice& first = decision.choices.front();
+        const std::string kind = kind_of_pairs(decision.pair_class, decision.may_be_occluded);
+        const bool begins = found.clauses.empty();
+        std::vector<std::string> names;
+        for (const studies::Choice& choice : decision.choices) {
+            if (choice.best == first.best && choice.entered == first.entered)
+                names.push_back(plan.spec.methods[choice.method].name);
+        }
+        found.clauses.push_back(fmt::format("{}{} on {} ({}{} of {}{})", begins ? "take, at equal evaluations, " : "",
+                                            listed(std::move(names)), kind, begins ? "best in " : "", first.best,
+                                            first.entered, begins ? " scenes that it can do" : ""));
+        Ranking& ranking = found.rankings.emplace_back();
+        ranking.heading =
+            decision.may_be_occluded ? fmt::format("{}, maybe occluded", name(decision.pair_class)) : kind;
+        constexpr std::size_t most_methods = 5;
+        for (const studies::Choice& choice : decision.choices) {
+            if (ranking.methods.size() == most_methods) break;
+            ranking.methods.push_back({plan.spec.methods[choice.method].name, choice.method, "",
+                                       static_cast<double>(choice.best) / static_cast<double>(choice.entered),
+                                       std::nullopt, std::nullopt,
+                                       fmt::format("{} of {}", choice.best, choice.entered)});
+        }
+    }
+    if (found.clauses.empty()) return std::nullopt;
+    return found;
+}
+
+std::vector<std::string> configuration_clauses(const StudyResults& results,
+                                               const std::vector<ConfigurationEstimate>& estimates) {
+    std::size_t agree = 0;
+    std::size_t biased = 0;
+    std::size_t untested = 0;
+    std::size_t deterministic = 0;
+    double largest = 0;
+    for (const ConfigurationEstimate& row : estimates) {
+        if (!row.found->bias) {
+            ++deterministic;
+            largest = std::max(largest, std::abs(row.bias));
+        } else if (row.found->bias_finding == studies::BiasFinding::biased) {
+            ++biased;
+        } else if (row.found->bias_finding != studies::BiasFinding::no_bias_found || !row.interval) {
+            ++untested;
+        } else {
+            ++agree;
+        }
+    }
+    std::vector<std::string> clauses;
+    const std::size_t sampled = agree + biased + untested;
+    if (sampled > 0) {
+        clauses.push_back(
+            fmt::format("{} of {} sampled estimates agree with the exact value, {} {} biased (a false alarm "
+                        "anywhere: {:g} %) and {} cannot be tested",
+                        agree, sampled, biased, biased == 1 ? "is" : "are",
+                        100 * (1 - results.findings.plan.spec.level), untested));
+    }
+    if (deterministic > 0) {
+        clauses.push_back(
+            fmt::format("the {} deterministic ones are off by at most {}", deterministic, brief(largest, 2)));
+    }
+    return clauses;
+}
+
+/// The estimate furthest off in each configuration.
+Ranking furthest_estimates(const studies::StudyPlan& plan, const std::vector<ConfigurationEstimate>& estimates) {
+    Ranking ranking{.heading = "furthest estimate of each"};
+    std::set<std::string_view> seen;
+    for (const ConfigurationEstimate& first : estimates) {
+        if (!seen.insert(first.configuration->name).second) continue;
+        const ConfigurationEstimate* worst = nullptr;
+        for (const ConfigurationEstimate& row : estimates) {
+            if (row.configuration != first.configuration || !row.standard_errors || !row.interval) continue;
+            if (worst == nullptr || std::abs(*row.standard_errors) > std::abs(*worst->standard_errors)) worst = &row;
+        }
+        if (worst == nullptr) continue;
+        const studies::Cell& cell = plan.cells[worst->found->cell];
+        const bool biased = worst->found->bias_finding == studies::BiasFinding::biased;
+        ranking.methods.push_back({std::string(first.configuration->name), cell.method, size_label(plan, cell),
+                                   worst->standard_errors, std::nullopt, 0.0, biased ? "biased" : ""});
+    }
+    return ranking;
+}
+
+std::optional<MainFinding> on_configurations(const StudyResults& results) {
+    const auto estimates = studies::configuration_estimates(results.findings);
+    if (results.findings.plan.scenes.size() == 1 || estimates.empty()) return std::nullopt;
+    return MainFinding{
+        .subject = Subject::configurations,
+        .question = "Do the estimates agree with the exact values?",
+        .clauses = configuration_clauses(results, estimates),
+        .rankings = {furthest_estimates(results.findings.plan, estimates)},
+        .title = "The estimate furthest from its exact value.",
+        .axis = "deviation in standard errors",
+        .note =
+            "Grey ticks: the exact value. Colour and symbol: the method with the largest deviation, which is "
+            "shown.",
+    };
+}
+
+std::optional<MainFinding> on_rates(const StudyResults& results) {
+    auto rankings = rank_rates(results);
+    if (rankings.empty()) return std::nullopt;
+    return of_rankings(results, std::move(rankings),
+                       {.subject = Subject::rates,
+                        .question = "How fast does the error fall with the number of evaluations?",
+                        .title = "Convergence rates, steepest first.",
+                        .axis = "slope of ln(error) on ln(evaluations)"},
+                       " Grey ticks: what theory expects at least.");
+}
+
+std::optional<MainFinding> on_variances(const StudyResults& results) {
+    if (results.reductions.empty()) return std::nullopt;
+    return of_rankings(results, rank_variances(results),
+                       {.subject = Subject::variances,
+                        .question = "How much less variance than random points?",
+                        .title = "Variance reduction, largest first.",
+                        .axis = "variance of random points / variance",
+                        .logarithmic = true},
+                       " Grey ticks: no reduction.");
+}
+
+}  // namespace
+
+MainFinding main_finding(const StudyResults& results) {
+    for (const auto find :
+         {on_light, on_occlusion, on_coverage, on_publication, on_choice, on_configurations, on_rates, on_variances}) {
+        if (auto found = find(results)) return *std::move(found);
+    }
+    return on_errors(results);
+}
+
 namespace {
 
 using studies::StudyResults;

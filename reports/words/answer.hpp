@@ -1,11 +1,38 @@
 #pragma once
 
-#include "reports/words/main_finding.hpp"
+#include "reports/words/findings/standing.hpp"
 #include "studies/results/results.hpp"
 
 #include <string>
+#include <vector>
 
 namespace ff::reports {
+
+/// The topic of a study, judged by its findings: the first that applies.
+enum class Subject {
+    light,           ///< errors of radiosity solutions
+    occlusion,       ///< error against the occluded fraction
+    coverage,        ///< how often intervals contain the exact value
+    publication,     ///< methods against the figures of a publication
+    choice,          ///< which method to take on each kind of pairs, over many scenes
+    configurations,  ///< estimates against the exact values of the catalogue
+    rates,           ///< how fast errors fall
+    variances,       ///< variances against those of random points
+    errors,          ///< errors of methods at the same size
+};
+
+/// What a study finds on its subject. The answer says it, and the picture beside the answer shows it.
+struct MainFinding {
+    Subject subject = Subject::errors;
+    std::string question = {};
+    std::vector<std::string> clauses = {};
+    std::vector<Ranking> rankings = {};  ///< empty where the subject has pictures of its own
+    std::string title = {};              ///< of the rankings, as are the next ones
+    std::string axis = {};               ///< what values are
+    std::string note = {};               ///< what else is drawn
+    bool logarithmic = false;            ///< the axis is
+};
+MainFinding main_finding(const studies::StudyResults& results);
 
 /// Question and answer for a reader with a minute.
 struct Answer {

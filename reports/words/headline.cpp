@@ -5,7 +5,7 @@
 #include "reports/words/answer.hpp"
 #include "reports/words/findings/radiosity_words.hpp"
 #include "reports/words/findings/verdicts.hpp"
-#include "reports/words/published_summary.hpp"
+#include "reports/words/published_words.hpp"
 
 #include <fmt/format.h>
 

@@ -1,16 +1,176 @@
 #include "reports/words/in_brief.hpp"
 
+#include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/findings/coverage_words.hpp"
 #include "reports/words/findings/occlusion_words.hpp"
-#include "reports/words/findings/reduction_words.hpp"
 #include "reports/words/findings/slope_words.hpp"
-#include "reports/words/findings/tail_words.hpp"
-#include "reports/words/findings/until_words.hpp"
+#include "reports/words/findings/standing.hpp"
+#include "samplers/sampler.hpp"
+#include "stats/basics/distributions.hpp"
+#include "studies/diagnostics/claimed_errors.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace ff::reports {
+
+std::vector<std::string> heavy_tails_in_brief(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    std::vector<std::string> lines;
+    for (const studies::CellAnalysis& found : results.findings.cells) {
+        const auto of_cell = [&](const studies::HeavyTail& tail) { return tail.cell == found.cell; };
+        const auto first = std::find_if(results.heavy_tails.begin(), results.heavy_tails.end(), of_cell);
+        if (first == results.heavy_tails.end()) continue;
+        const studies::Cell& cell = plan.cells[found.cell];
+        lines.push_back(fmt::format(
+            "WARNING {}: {} pairs look as if their variance were infinite (tail index {:.2f} for {}, 2 is the limit); "
+            "their intervals and RMSE are not to be trusted.",
+            cell_label(plan, cell), std::count_if(results.heavy_tails.begin(), results.heavy_tails.end(), of_cell),
+            first->index, quantity_label(plan.scenes[cell.scene], first->pair)));
+    }
+    return lines;
+}
+
+namespace {
+
+using studies::UntilFinding;
+
+std::string stopping_rule_in_words(const studies::StudySpec& spec) {
+    const studies::StoppingRule& rule = *spec.until;
+    const std::string goal =
+        rule.goal == studies::StoppingGoal::ci
+            ? fmt::format("every pair's interval of level {:g} is at most ±{} wide", spec.level, brief(rule.target))
+            : fmt::format("the RMSE of the mean over trials is at most {} on every pair", brief(rule.target));
+    return fmt::format("Until {}: Stein's two stages, pilots of {} trials, at most {} trials.", goal, rule.pilot,
+                       spec.trials);
+}
+
+/// The outcome for a cell of an adaptive study, e.g. "reached: 9.7e-06 with 412 trials".
+std::string until_in_words(const studies::StudySpec& spec, const studies::UntilOutcome& outcome) {
+    const std::string achieved = outcome.achieved
+                                     ? fmt::format("{} with {} trials", brief(*outcome.achieved), outcome.trials)
+                                     : fmt::format("{} trials", outcome.trials);
+    switch (outcome.finding) {
+        case UntilFinding::reached:
+            return "reached: " + achieved;
+        case UntilFinding::too_many_trials:
+            return fmt::format("NOT reached: {}; it would take {}", achieved, outcome.wanted);
+        case UntilFinding::infinite_variance:
+            return fmt::format("NOT reached: {} pairs have infinite variance; {} on the others", outcome.unjudged,
+                               achieved);
+        case UntilFinding::too_few_hits:
+            return fmt::format("NOT reached: {} pairs have too few hits in {} trials of the pilot", outcome.unjudged,
+                               spec.until->pilot);
+        case UntilFinding::no_spread:
+            break;
+    }
+    return fmt::format("NOT reached: {} pairs have one value in all trials of the pilot", outcome.unjudged);
+}
+
+}  // namespace
+
+std::vector<std::string> until_in_brief(const studies::StudyResults& results) {
+    if (results.until.empty()) return {};
+    const studies::StudyPlan& plan = results.findings.plan;
+    std::vector<std::string> lines{stopping_rule_in_words(plan.spec)};
+    const auto reached = std::count_if(results.until.begin(), results.until.end(),
+                                       [](const auto& outcome) { return outcome.finding == UntilFinding::reached; });
+    lines.push_back(fmt::format("Reached by {} of {} methods and sizes.", reached, results.until.size()));
+    for (const studies::UntilOutcome& outcome : results.until) {
+        lines.push_back(
+            fmt::format("{}: {}", cell_label(plan, plan.cells[outcome.cell]), until_in_words(plan.spec, outcome)));
+    }
+    return lines;
+}
+
+std::vector<std::string> one_run_errors_in_brief(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    double least = 1;
+    double most = 0;
+    std::size_t rows = 0;
+    for (const studies::ClaimedErrors& row : results.claimed_errors) {
+        const studies::Method& method = plan.spec.methods[plan.cells[row.cell].method];
+        if (row.claimant != studies::Claimant::one_run || samplers::find(method.sampler).info.independent()) continue;
+        ++rows;
+        least = std::min(least, row.share());
+        most = std::max(most, row.share());
+    }
+    if (rows == 0) return {};
+    const double level = plan.spec.level;
+    const std::string range =
+        least == most ? fmt::format("{:.3g}", 100 * least) : fmt::format("{:.3g} to {:.3g}", 100 * least, 100 * most);
+    return {
+        fmt::format("If the rays of a set are taken as independent, {:.3g} standard errors of one run hold in {} % of "
+                    "runs and pairs, not {:g} %.",
+                    stats::normal_critical((1 - level) / 2), range, 100 * level)};
+}
+
+namespace {
+
+using studies::VarianceReduction;
+
+/// The size without the scene's or the method's name: two cells of one size are compared.
+std::string scene_and_size(const studies::StudyPlan& plan, const studies::Cell& cell) {
+    const std::string size = size_label(plan, cell);
+    return plan.scenes.size() == 1 ? size : fmt::format("{}, {}", plan.scenes[cell.scene].name, size);
+}
+
+const studies::Method& method_of(const studies::StudyPlan& plan, const VarianceReduction& reduction) {
+    return plan.spec.methods[plan.cells[reduction.cell].method];
+}
+
+/// Beside each method with one sequence a face, the one that differs from it in this only.
+const VarianceReduction* with_a_sequence_a_patch(const studies::StudyResults& results, const VarianceReduction& face) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    const studies::Method& method = method_of(plan, face);
+    if (method.allocation != Allocation::face) return nullptr;
+    const auto found =
+        std::find_if(results.reductions.begin(), results.reductions.end(), [&](const VarianceReduction& r) {
+            const studies::Method& other = method_of(plan, r);
+            return r.random_cell == face.random_cell && r.pair_class == face.pair_class &&
+                   other.sampler == method.sampler && other.allocation == Allocation::patch;
+        });
+    return found == results.reductions.end() ? nullptr : &*found;
+}
+
+/// Whether a larger size of the same ladder says the same again.
+bool is_below_the_top(const studies::StudyResults& results, std::size_t cell) {
+    return std::any_of(results.slopes.begin(), results.slopes.end(), [&](const studies::LadderSlopes& ladder) {
+        const auto& cells = ladder.ladder.cells;
+        return cells.back() != cell && std::find(cells.begin(), cells.end(), cell) != cells.end();
+    });
+}
+
+}  // namespace
+
+std::string factor_text(const VarianceReduction& reduction) {
+    return with_ends(reduction.factor, reduction.interval.low, reduction.interval.high);
+}
+
+std::vector<std::string> reductions_in_brief(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    std::vector<std::string> lines;
+    if (!results.occlusion.empty()) return lines;  // its scenes differ in what hides, and are told together
+    for (const Ranking& ranking : rank_variances(results)) {
+        if (!is_below_the_top(results, *ranking.random_cell)) lines.push_back(sentence(ranking, plan));
+    }
+    for (const VarianceReduction& face : results.reductions) {
+        const VarianceReduction* patch = with_a_sequence_a_patch(results, face);
+        if (patch == nullptr || plan.cells[face.cell].subdivision.m == 1) continue;
+        const double gain = face.factor / patch->factor;
+        const bool apart = face.interval.low > patch->interval.high || face.interval.high < patch->interval.low;
+        lines.push_back(fmt::format(
+            "One {} sequence over all patches of a face instead of one per patch {} the variance on {} pairs "
+            "by {:.2f} at {}{}.",
+            method_of(plan, face).sampler, gain >= 1 ? "divides" : "multiplies", name(face.pair_class),
+            gain >= 1 ? gain : 1 / gain, scene_and_size(plan, plan.cells[face.cell]),
+            apart ? "" : " (intervals overlap)"));
+    }
+    return lines;
+}
+
 namespace {
 
 /// The constants of c/m in one sentence; empty without laws.

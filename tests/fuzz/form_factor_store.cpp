@@ -4,7 +4,7 @@
 // faces.
 
 #include "core/support/error.hpp"
-#include "reports/csv/form_factors_csv.hpp"
+#include "reports/csv/scene_csv.hpp"
 #include "reports/json/form_factors_json.hpp"
 #include "reports/terminal/form_factors_text.hpp"
 #include "studies/form_factors/repair.hpp"

@@ -4,7 +4,7 @@
 #include "app/process/signals.hpp"
 
 #include "reports/text/numbers.hpp"
-#include "reports/words/form_factor_warnings.hpp"
+#include "reports/words/scene_reports.hpp"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 
 #include "core/support/error.hpp"
 #include "core/support/words.hpp"
-#include "reports/csv/csv_field.hpp"
+#include "reports/csv/csv_records.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/text/text_table.hpp"
 #include "studies/form_factors/point_factors.hpp"

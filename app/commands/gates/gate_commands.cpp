@@ -7,7 +7,7 @@
 #include "app/folders/output_folder.hpp"
 
 #include "core/support/error.hpp"
-#include "reports/csv/csv_field.hpp"
+#include "reports/csv/csv_records.hpp"
 #include "reports/files/output_file.hpp"
 #include "reports/terminal/gates_terminal.hpp"
 #include "stats/basics/moments.hpp"

@@ -1,5 +1,5 @@
 #include "reports/markdown/audit_markdown.hpp"
-#include "reports/words/audit_summary.hpp"
+#include "reports/words/published_words.hpp"
 
 #include "tests/unit/studies/audit/simulated_tables.hpp"
 

@@ -1,0 +1,230 @@
+#include "reports/words/published_words.hpp"
+
+#include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace ff::reports {
+
+using studies::PublishedTables;
+using studies::audit::Finding;
+using studies::audit::Report;
+
+std::string audit_verdict(const Report& report) {
+    const std::size_t n = report.contradictions();
+    if (n == 0) return fmt::format("The {} printed figures contain no contradiction.", report.figures);
+    return fmt::format("The {} printed figures contain {} contradiction{}.", report.figures, n, n == 1 ? "" : "s");
+}
+
+std::string audit_summary(const PublishedTables& tables, const Report& report) {
+    std::string text = audit_verdict(report) + "\n";
+    std::size_t number = 0;
+    for (const Finding& f : report.findings) {
+        const std::string line =
+            f.blamed.empty() ? std::string{} : fmt::format(" (line {})", tables.figures[f.blamed.front()].line);
+        text += fmt::format("{:3}. {}{}\n", ++number, f.statement, line);
+    }
+    return text;
+}
+
+using studies::FigureComparison;
+
+namespace {
+
+std::string percentile_text(const stats::Rank& rank) {
+    const double percentile = 100 * rank.percentile;
+    const double step = 100.0 / static_cast<double>(rank.n);
+    if (percentile < step) return fmt::format("below {:.2g} %", step);
+    if (percentile > 100 - step) return fmt::format("above {:.4g} %", 100 - step);
+    return fmt::format("{:.3g} %", percentile);
+}
+
+}  // namespace
+
+std::string ours_text(const FigureComparison& c, const std::string& printed) {
+    if (!c.ours) return "–";
+    const double unit = studies::half_printed_unit(printed);
+    if (c.deterministic || !c.single_run) return to_error(*c.ours, 20 * unit);
+    const double spread = c.single_run->high - c.single_run->low;
+    if (spread == 0) return fmt::format("{:g} always", *c.ours);
+    return fmt::format("{} [{}, {}]", to_error(*c.ours, spread / 20), to_error(c.single_run->low, spread / 5),
+                       to_error(c.single_run->high, spread / 5));
+}
+
+std::string place_text(const FigureComparison& c, const std::string& printed) {
+    if (!c.ours) return "–";
+    if (c.deterministic) {
+        const double difference = c.printed - *c.ours;
+        return std::abs(difference) <= 2 * studies::half_printed_unit(printed)
+                   ? "equal"
+                   : fmt::format("off by {:+.3g}", difference);
+    }
+    if (c.single_run->low == c.single_run->high) return *c.adjusted_p > 0 ? "equal" : "impossible";
+    return c.z ? fmt::format("z {:+.2f}, {}", *c.z, percentile_text(*c.rank)) : percentile_text(*c.rank);
+}
+
+bool is_surprising(const FigureComparison& c, double alpha) {
+    return c.ours && c.adjusted_p && *c.adjusted_p < alpha;
+}
+
+std::set<std::size_t> blamed_figures(const studies::audit::Report& audit) {
+    std::set<std::size_t> blamed;
+    for (const studies::audit::Finding& finding : audit.findings) {
+        if (finding.severity == studies::audit::Severity::contradiction)
+            blamed.insert(finding.blamed.begin(), finding.blamed.end());
+    }
+    return blamed;
+}
+
+namespace {
+
+std::string surprising_figures(const studies::PublishedResults& published, double alpha) {
+    std::size_t sampled = 0;
+    std::vector<std::string> surprising;
+    for (const studies::TableComparison& table : published.comparisons) {
+        for (const studies::FigureComparison& c : table.figures) {
+            if (!c.adjusted_p) continue;
+            ++sampled;
+            if (*c.adjusted_p >= alpha) continue;
+            const std::string place = c.z ? fmt::format("z = {:+.1f}", *c.z) : std::string("no run gives it");
+            surprising.push_back(fmt::format("{} = {} ({})", studies::describe(published.tables, c.figure),
+                                             published.tables.figures[c.figure].printed, place));
+        }
+    }
+    std::string text = fmt::format(
+        "Of {} printed figures of sampled methods, {} lie outside what a run as described gives ({:g} % a table, Holm)",
+        sampled, surprising.size(), 100 * alpha);
+    return surprising.empty() ? text : fmt::format("{}: {}", text, fmt::join(surprising, "; "));
+}
+
+/// The verdict on each claim, for a publication that has claims in words only.
+std::vector<std::string> claims_in_brief(const studies::PublishedResults& published) {
+    std::vector<std::string> lines;
+    for (const studies::JudgedClaim& judged : published.claims)
+        lines.push_back(
+            fmt::format("{}: “{}” {}", studies::name(judged.verdict), judged.claim.statement, judged.evidence));
+    return lines;
+}
+
+}  // namespace
+
+std::string claims_sentence(const studies::PublishedResults& published) {
+    const auto count = [&](studies::ClaimVerdict verdict) {
+        return std::count_if(published.claims.begin(), published.claims.end(),
+                             [&](const auto& claim) { return claim.verdict == verdict; });
+    };
+    if (published.claims.size() == 1)
+        return fmt::format("The publication's claim is {}.", studies::name(published.claims.front().verdict));
+    const auto supported = count(studies::ClaimVerdict::supported);
+    const auto printed_only = count(studies::ClaimVerdict::as_printed_only);
+    return fmt::format(
+        "Of the publication's {} claims {} {} supported, {}{} refuted, {} inconclusive.", published.claims.size(),
+        supported, supported == 1 ? "is" : "are",
+        printed_only == 0
+            ? std::string()
+            : fmt::format("{} only by printed figures that the methods as described do not give, ", printed_only),
+        count(studies::ClaimVerdict::refuted), count(studies::ClaimVerdict::inconclusive));
+}
+
+std::vector<std::string> published_in_brief(const studies::PublishedResults& published, double alpha) {
+    if (published.tables.figures.empty()) return claims_in_brief(published);
+    std::vector<std::string> lines{surprising_figures(published, alpha)};
+    if (!published.claims.empty()) lines.push_back(claims_sentence(published));
+    return lines;
+}
+
+namespace {
+
+/// The printed and the computed errors of a deterministic cell on a class of pairs.
+struct PrintedErrors {
+    std::size_t cell = 0;
+    PairClass pair_class = PairClass::other;
+    std::size_t figures = 0;
+    double printed = 0;      ///< mean relative error
+    double ours = 0;         ///< the same
+    double printed_rms = 0;  ///< root mean square of printed - exact
+    bool differs = false;    ///< by more than printing makes
+};
+
+PrintedErrors printed_errors(const studies::StudyResults& results, std::size_t cell, PairClass pair_class) {
+    const studies::PublishedResults& published = *results.published;
+    PrintedErrors errors{.cell = cell, .pair_class = pair_class};
+    for (const studies::TableComparison& table : published.comparisons) {
+        for (const studies::FigureComparison& c : table.figures) {
+            const studies::Figure& figure = published.tables.figures[c.figure];
+            if (c.cell != cell || !c.ours || figure.kind != studies::FigureKind::form_factor) continue;
+            const studies::Summary& summary = results.findings.cells[cell].summary(c.quantity);
+            if (summary.pair_class != pair_class || !summary.reference || *summary.reference == 0) continue;
+            ++errors.figures;
+            const double off = c.printed - *summary.reference;
+            errors.printed += std::abs(off / *summary.reference);
+            errors.ours += std::abs(*c.ours / *summary.reference - 1);
+            errors.printed_rms += off * off;
+            errors.differs |= std::abs(c.printed - *c.ours) > 2 * studies::half_printed_unit(figure.printed);
+        }
+    }
+    const auto count = static_cast<double>(std::max<std::size_t>(errors.figures, 1));
+    errors.printed /= count;
+    errors.ours /= count;
+    errors.printed_rms = std::sqrt(errors.printed_rms / count);
+    return errors;
+}
+
+/// "17.9 million kernel values"
+std::string cost(const studies::Analysis& findings, std::size_t cell) {
+    const studies::Method& method = findings.plan.spec.methods[findings.plan.cells[cell].method];
+    const auto evaluations = static_cast<double>(findings.cells[cell].evaluations_per_face);
+    return fmt::format("{:.3g} million {}", evaluations / 1e6, estimator_info(method).evaluations);
+}
+
+std::string in_words(const studies::StudyResults& results, const PrintedErrors& errors,
+                     const std::vector<std::size_t>& cells) {
+    const studies::Analysis& findings = results.findings;
+    const studies::StudyPlan& plan = findings.plan;
+    const auto method = [&](std::size_t cell) { return plan.spec.methods[plan.cells[cell].method].name; };
+    const std::string where = on_pairs(plan, plan.cells[errors.cell].scene, name(errors.pair_class));
+    std::string text = fmt::format(
+        "{} as described does not give the figures printed for it: {} its mean error is {:.3g} % here and {:.3g} % in "
+        "print.",
+        method(errors.cell), where, 100 * errors.ours, 100 * errors.printed);
+    const studies::ClassError& own = *findings.cells[errors.cell].class_error(errors.pair_class);
+    for (const std::size_t cell : cells) {
+        const studies::ClassError* other = findings.cells[cell].class_error(errors.pair_class);
+        if (cell == errors.cell || other == nullptr || !other->interval) continue;
+        const auto ratio = studies::ratio_interval(*log_rmse(*other), *log_rmse(own, true), plan.spec.level);
+        text += fmt::format(
+            " The RMSE of {} ({} per face) is {} to {} times that of {} ({}) by these figures, and {} times by the "
+            "printed ones.",
+            method(errors.cell), cost(findings, errors.cell), brief(ratio->low), brief(ratio->high), method(cell),
+            cost(findings, cell), brief(errors.printed_rms / other->rmse, 2));
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string premise(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+        const auto cells = studies::compared_cells(results.findings, scene, results.published->comparisons);
+        PrintedErrors worst;  // where print and computation differ most
+        for (const std::size_t cell : cells) {
+            if (!plan.cells[cell].deterministic) continue;
+            for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+                const PrintedErrors errors = printed_errors(results, cell, pair_class);
+                if (errors.differs && std::abs(errors.printed - errors.ours) > std::abs(worst.printed - worst.ours))
+                    worst = errors;
+            }
+        }
+        if (worst.differs) return in_words(results, worst, cells);
+    }
+    return {};
+}
+
+}  // namespace ff::reports
