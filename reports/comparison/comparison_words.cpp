@@ -34,68 +34,6 @@ std::string bar(const studies::RmseRatio& ratio, double reach) {
     return text;
 }
 
-}  // namespace
-
-const Scene& scene_of(const RunComparison& comparison, const CellComparison& cell) {
-    const studies::StudyPlan& plan = comparison.first.plan;
-    return plan.scenes[plan.cells[cell.first].scene];
-}
-
-std::string method_names(const RunComparison& comparison, const CellComparison& compared) {
-    const auto name_in = [](const studies::StudyPlan& plan, std::size_t cell) -> const std::string& {
-        return plan.spec.methods[plan.cells[cell].method].name;
-    };
-    const std::string& first = name_in(comparison.first.plan, compared.first);
-    const std::string& second = name_in(comparison.second.plan, compared.second);
-    return first == second ? first : fmt::format("{} | {}", first, second);
-}
-
-std::string scene_and_method(const RunComparison& comparison, const CellComparison& compared) {
-    const std::string method = method_names(comparison, compared);
-    const bool one_scene = comparison.first.plan.scenes.size() == 1;
-    return one_scene ? method : fmt::format("{}: {}", scene_of(comparison, compared).name, method);
-}
-
-std::string ratio_text(const studies::RmseRatio& ratio) {
-    const double reach = ratio.interval->width() / 2;
-    return fmt::format("{} [{}, {}]", to_error(*ratio.ratio, reach), to_error(ratio.interval->low, reach),
-                       to_error(ratio.interval->high, reach));
-}
-
-std::string ratio_plot(const RunComparison& comparison) {
-    const auto lead = comparison.lead();
-    if (!lead.ratios) return {};
-    const double reach = std::max({1 / lead.ratios->low, lead.ratios->high, 1.05});
-    const studies::StudyPlan& plan = comparison.first.plan;
-    std::vector<std::array<std::string, 3>> rows{
-        {fmt::format("RMSE of {} / RMSE of {}", comparison.names[1], comparison.names[0]),
-         fmt::format("{:<15.2f}1{:>15.2f}", 1 / reach, reach), ""}};
-    for (const CellComparison& compared : comparison.cells) {
-        for (const studies::RmseRatio& ratio : compared.ratios) {
-            if (!ratio.interval) continue;
-            rows.push_back({fmt::format("{}, {}, {}", scene_and_method(comparison, compared),
-                                        size_label(plan, plan.cells[compared.first]), name(ratio.pair_class)),
-                            bar(ratio, reach), ratio_text(ratio)});
-        }
-    }
-    std::size_t width = 0;
-    for (const auto& row : rows) width = std::max(width, visible_length(row[0]));
-    std::string out;
-    for (const auto& [label, drawn, figures] : rows) {
-        std::string line =
-            fmt::format("{}{}  {}  {}", label, std::string(width - visible_length(label), ' '), drawn, figures);
-        out += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
-    }
-    return out;
-}
-
-using studies::Basis;
-using studies::CellComparison;
-using studies::Likeness;
-using studies::RunComparison;
-
-namespace {
-
 std::string_view in_words(studies::Untested reason) {
     switch (reason) {
         case studies::Untested::few_trials:
@@ -161,6 +99,64 @@ std::string independent_in_words(const RunComparison& comparison, const CellComp
 }
 
 }  // namespace
+
+const Scene& scene_of(const RunComparison& comparison, const CellComparison& cell) {
+    const studies::StudyPlan& plan = comparison.first.plan;
+    return plan.scenes[plan.cells[cell.first].scene];
+}
+
+std::string method_names(const RunComparison& comparison, const CellComparison& compared) {
+    const auto name_in = [](const studies::StudyPlan& plan, std::size_t cell) -> const std::string& {
+        return plan.spec.methods[plan.cells[cell].method].name;
+    };
+    const std::string& first = name_in(comparison.first.plan, compared.first);
+    const std::string& second = name_in(comparison.second.plan, compared.second);
+    return first == second ? first : fmt::format("{} | {}", first, second);
+}
+
+std::string scene_and_method(const RunComparison& comparison, const CellComparison& compared) {
+    const std::string method = method_names(comparison, compared);
+    const bool one_scene = comparison.first.plan.scenes.size() == 1;
+    return one_scene ? method : fmt::format("{}: {}", scene_of(comparison, compared).name, method);
+}
+
+std::string ratio_text(const studies::RmseRatio& ratio) {
+    const double reach = ratio.interval->width() / 2;
+    return fmt::format("{} [{}, {}]", to_error(*ratio.ratio, reach), to_error(ratio.interval->low, reach),
+                       to_error(ratio.interval->high, reach));
+}
+
+std::string ratio_plot(const RunComparison& comparison) {
+    const auto lead = comparison.lead();
+    if (!lead.ratios) return {};
+    const double reach = std::max({1 / lead.ratios->low, lead.ratios->high, 1.05});
+    const studies::StudyPlan& plan = comparison.first.plan;
+    std::vector<std::array<std::string, 3>> rows{
+        {fmt::format("RMSE of {} / RMSE of {}", comparison.names[1], comparison.names[0]),
+         fmt::format("{:<15.2f}1{:>15.2f}", 1 / reach, reach), ""}};
+    for (const CellComparison& compared : comparison.cells) {
+        for (const studies::RmseRatio& ratio : compared.ratios) {
+            if (!ratio.interval) continue;
+            rows.push_back({fmt::format("{}, {}, {}", scene_and_method(comparison, compared),
+                                        size_label(plan, plan.cells[compared.first]), name(ratio.pair_class)),
+                            bar(ratio, reach), ratio_text(ratio)});
+        }
+    }
+    std::size_t width = 0;
+    for (const auto& row : rows) width = std::max(width, visible_length(row[0]));
+    std::string out;
+    for (const auto& [label, drawn, figures] : rows) {
+        std::string line =
+            fmt::format("{}{}  {}  {}", label, std::string(width - visible_length(label), ' '), drawn, figures);
+        out += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+    }
+    return out;
+}
+
+using studies::Basis;
+using studies::CellComparison;
+using studies::Likeness;
+using studies::RunComparison;
 
 TableCell likeness_in_words(const RunComparison& comparison, const CellComparison& cell) {
     const Mark mark = cell.likeness == Likeness::alike       ? Mark::good

@@ -52,29 +52,24 @@ Table cells_table(const RunComparison& comparison) {
                                "their ratio, on every distinct pair, RMSEs likewise; {} (Holm); in parentheses what is "
                                "found with power {:g}.",
                                tests_in_words(comparison), comparison.power)),
-        {{"method", false, ""},
-         {"size", false, ""},
-         {"trials", true, ""},
-         {"pairs", false, ""},
+        {{"method"},
+         {"size"},
+         {"trials", true},
+         {"pairs"},
          {comparison.names[0], true, "RMSE"},
          {comparison.names[1], true, "RMSE"},
-         {"verdict", false, ""}},
-        {},
-        {}};
+         {"verdict"}}};
     for (const CellComparison& compared : comparison.cells) {
         const studies::Cell& cell = plan.cells[compared.first];
-        TableCell method{scene_and_method(comparison, compared), Mark::none};
-        TableCell size{size_label(plan, cell), Mark::none};
-        TableCell trials{trials_text(comparison, compared), Mark::none};
+        TableCell method{scene_and_method(comparison, compared)};
+        TableCell size{size_label(plan, cell)};
+        TableCell trials{trials_text(comparison, compared)};
         TableCell verdict = likeness_in_words(comparison, compared);
         for (const studies::RmseRatio& ratio : compared.ratios) {
-            table.rows.push_back({std::exchange(method, {}),
-                                  std::exchange(size, {}),
-                                  std::exchange(trials, {}),
-                                  {std::string(name(ratio.pair_class)), Mark::none},
-                                  {rmse_text(comparison.first.cells[compared.first], ratio.pair_class), Mark::none},
-                                  {rmse_text(comparison.second.cells[compared.second], ratio.pair_class), Mark::none},
-                                  std::exchange(verdict, {})});
+            table.rows.push_back(
+                {std::exchange(method, {}), std::exchange(size, {}), std::exchange(trials, {}), name(ratio.pair_class),
+                 rmse_text(comparison.first.cells[compared.first], ratio.pair_class),
+                 rmse_text(comparison.second.cells[compared.second], ratio.pair_class), std::exchange(verdict, {})});
         }
     }
     return table;
@@ -97,18 +92,12 @@ std::string shown(const std::string& value, const std::string& other) {
 }
 
 Table differences_table(const RunComparison& comparison) {
-    Table table{
-        "studies",
-        "What the study files say differently",
-        "",
-        {{"where", false, ""}, {"key", false, ""}, {comparison.names[0], false, ""}, {comparison.names[1], false, ""}},
-        {},
-        {}};
+    Table table{"studies",
+                "What the study files say differently",
+                "",
+                {{"where"}, {"key"}, {comparison.names[0]}, {comparison.names[1]}}};
     for (const auto& [place, key, first, second] : comparison.differences) {
-        table.rows.push_back({{place, Mark::none},
-                              {key, Mark::none},
-                              {shown(first, second), Mark::none},
-                              {shown(second, first), Mark::none}});
+        table.rows.push_back({place, key, shown(first, second), shown(second, first)});
     }
     return table;
 }

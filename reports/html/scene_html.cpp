@@ -147,21 +147,16 @@ constexpr std::size_t most_listed_faces = 1000;
 
 /// Areas and sums of rows.
 Table faces_table(const FormFactorReport& report) {
-    Table table{
-        "faces", "Faces",
-        "",      {{"face", false, {}}, {"area", true, {}}, {"sum of the row", true, {}}, {"its interval", true, {}}},
-        {},      {}};
+    Table table{"faces", "Faces", "", columns({"face", ">area", ">sum of the row", ">its interval"})};
     const bool drops = report.request.drop > 0;
-    if (drops) table.columns.push_back({"dropped of it", true, {}});
+    if (drops) table.columns.push_back({"dropped of it", true});
     for (std::size_t face = 0; face < std::min(most_listed_faces, report.scene.faces.size()); ++face) {
         const studies::form_factors::RowSum& sum = report.matrix.rows[face];
         const double width = std::max(sum.high - sum.value, sum.value - sum.low);
-        table.rows.push_back(
-            {plain_cell(report.scene.faces[face]), plain_cell(brief(report.matrix.areas[face], 6)),
-             plain_cell(to_error(sum.value, width)),
-             plain_cell(fmt::format("{} to {}", to_error(sum.low, width), to_error(sum.high, width)))});
+        table.rows.push_back({report.scene.faces[face], brief(report.matrix.areas[face], 6), to_error(sum.value, width),
+                              fmt::format("{} to {}", to_error(sum.low, width), to_error(sum.high, width))});
         const double half = std::max(sum.dropped.high - sum.dropped.value, sum.dropped.value - sum.dropped.low);
-        if (drops) table.rows.back().push_back(plain_cell(with_half_width(sum.dropped.value, half)));
+        if (drops) table.rows.back().push_back(with_half_width(sum.dropped.value, half));
     }
     if (report.scene.faces.size() > most_listed_faces)
         table.remarks.push_back(

@@ -14,6 +14,40 @@ std::string_view name(studies::UntilFinding finding) {
     return names.at(static_cast<std::size_t>(finding));
 }
 
+std::string_view name(studies::RateFinding finding) {
+    constexpr std::array<std::string_view, 5> names{"as_expected", "slower", "faster", "no_theory", "no_slope"};
+    return names.at(static_cast<std::size_t>(finding));
+}
+
+Json expected_json(const studies::Slope& slope) {
+    if (!slope.expected) return nullptr;
+    return {{"rate", slope.expected->rate},
+            {"slowest", slope.slowest_expected},
+            {"bound", slope.expected->at_least},
+            {"source", slope.expected->source},
+            {"because", slope.expected->because}};
+}
+
+Json class_json(const Scene& scene, const studies::ClassSlopes& found) {
+    Json json{{"pair_class", ff::name(found.pair_class)},
+              {"pairs", found.pairs},
+              {"finding", name(found.finding)},
+              {"adjusted_p", optional_json(found.adjusted_p)},
+              {"slopes", {slope_json(scene, found.rmse), slope_json(scene, found.median)}}};
+    Json& sizes = json["sizes"] = Json::array();
+    for (const studies::ClassError& size : found.sizes) {
+        const bool infinite = size.status == studies::VarianceStatus::infinite;
+        sizes.push_back({{"evaluations", size.evaluations},
+                         {"rmse", infinite ? Json() : Json(size.rmse)},
+                         {"median_abs_error", size.median_abs_error},
+                         {"bias", size.bias},
+                         {"bias_interval", interval_json(size.bias_interval)},
+                         {"efficiency", optional_json(size.efficiency)},
+                         {"efficiency_interval", interval_json(size.efficiency_interval)}});
+    }
+    return json;
+}
+
 }  // namespace
 
 Json until_json(const studies::StudyResults& results) {
@@ -133,44 +167,6 @@ Json claimed_errors_json(const studies::StudyResults& results) {
     }
     return rows;
 }
-
-namespace {
-
-std::string_view name(studies::RateFinding finding) {
-    constexpr std::array<std::string_view, 5> names{"as_expected", "slower", "faster", "no_theory", "no_slope"};
-    return names.at(static_cast<std::size_t>(finding));
-}
-
-Json expected_json(const studies::Slope& slope) {
-    if (!slope.expected) return nullptr;
-    return {{"rate", slope.expected->rate},
-            {"slowest", slope.slowest_expected},
-            {"bound", slope.expected->at_least},
-            {"source", slope.expected->source},
-            {"because", slope.expected->because}};
-}
-
-Json class_json(const Scene& scene, const studies::ClassSlopes& found) {
-    Json json{{"pair_class", ff::name(found.pair_class)},
-              {"pairs", found.pairs},
-              {"finding", name(found.finding)},
-              {"adjusted_p", optional_json(found.adjusted_p)},
-              {"slopes", {slope_json(scene, found.rmse), slope_json(scene, found.median)}}};
-    Json& sizes = json["sizes"] = Json::array();
-    for (const studies::ClassError& size : found.sizes) {
-        const bool infinite = size.status == studies::VarianceStatus::infinite;
-        sizes.push_back({{"evaluations", size.evaluations},
-                         {"rmse", infinite ? Json() : Json(size.rmse)},
-                         {"median_abs_error", size.median_abs_error},
-                         {"bias", size.bias},
-                         {"bias_interval", interval_json(size.bias_interval)},
-                         {"efficiency", optional_json(size.efficiency)},
-                         {"efficiency_interval", interval_json(size.efficiency_interval)}});
-    }
-    return json;
-}
-
-}  // namespace
 
 Json slope_json(const Scene& scene, const studies::Slope& slope) {
     return {{"from_face", slope.pair ? Json(from_label(scene, *slope.pair)) : Json(nullptr)},

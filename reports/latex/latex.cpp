@@ -60,7 +60,7 @@ Table stacked(const Table& table, std::size_t size) {
     out.columns.resize(1 + size);
     out.rows.clear();
     for (std::size_t first = 1; first < table.columns.size(); first += size) {
-        out.rows.push_back({{table.columns[first].group, Mark::none}});
+        out.rows.push_back({table.columns[first].group});
         for (const auto& row : table.rows) {
             const auto begin = row.begin() + static_cast<std::ptrdiff_t>(first);
             const auto end = begin + static_cast<std::ptrdiff_t>(size);

@@ -13,12 +13,6 @@ using studies::radiosity::Consequences;
 using studies::radiosity::EnclosureRequest;
 using studies::radiosity::EnclosureResults;
 
-std::vector<TableCell> cells(std::vector<std::string> texts) {
-    std::vector<TableCell> row;
-    for (std::string& text : texts) row.push_back({std::move(text), Mark::none});
-    return row;
-}
-
 std::string reflectance(const EnclosureRequest& request, std::size_t setting) {
     return studies::in_words(request.light.reflectance[setting]);
 }
@@ -28,30 +22,29 @@ std::string section(const Table& table) {
 }
 
 Table factors_table(const EnclosureResults& results) {
-    Table table{"factors", "Exact form factors", {}, {{"from", false, {}}, {"area", true, {}}}, {}, {}};
+    Table table{"factors", "Exact form factors", {}, columns({"from", ">area"})};
     const auto& [description, surfaces, enclosure] = results.of;
-    for (const std::string& surface : surfaces) table.columns.push_back({"to " + surface, true, {}});
+    for (const std::string& surface : surfaces) table.columns.push_back({"to " + surface, true});
     for (Eigen::Index i = 0; i < enclosure.areas.size(); ++i) {
-        std::vector<std::string> row{surfaces[static_cast<std::size_t>(i)], exact(enclosure.areas[i])};
+        std::vector<TableCell> row{surfaces[static_cast<std::size_t>(i)], exact(enclosure.areas[i])};
         for (const double factor : enclosure.factors.row(i)) row.push_back(exact(factor));
-        table.rows.push_back(cells(std::move(row)));
+        table.rows.push_back(std::move(row));
     }
     return table;
 }
 
 Table solutions_table(const EnclosureRequest& request, const EnclosureResults& results) {
-    Table table{"solutions", "Exact solutions", {}, {{"reflectance", true, {}}}, {}, {}};
-    for (const std::string& surface : results.of.surfaces)
-        table.columns.push_back({"exitance of " + surface, true, {}});
+    Table table{"solutions", "Exact solutions", {}, columns({">reflectance"})};
+    for (const std::string& surface : results.of.surfaces) table.columns.push_back({"exitance of " + surface, true});
     for (const char* title : {"spectral radius", "dominance", "Jacobi iterations"})
-        table.columns.push_back({title, true, {}});
+        table.columns.push_back({title, true});
     for (const studies::radiosity::ExactSystem& system : results.exact) {
-        std::vector<std::string> row{reflectance(request, system.setting)};
+        std::vector<TableCell> row{reflectance(request, system.setting)};
         for (const double value : system.exitance) row.push_back(brief(value, 8));
         row.push_back(brief(system.properties.spectral_radius.middle(), 6));
         row.push_back(brief(system.properties.dominance, 6));
         row.push_back(iterations_text(system.solvers.front()));
-        table.rows.push_back(cells(std::move(row)));
+        table.rows.push_back(std::move(row));
     }
     return table;
 }
@@ -60,30 +53,22 @@ Table trials_table(const EnclosureRequest& request, const EnclosureResults& resu
     Table table{"trials",
                 "What rays make of them",
                 {},
-                {{"reflectance", true, {}},
-                 {"treatment", false, {}},
-                 {"dominant", true, {}},
-                 {"spectral radius", true, {}},
-                 {"bias of mean exitance", true, {}},
-                 {"exitance error", true, {}},
-                 {"on the worst surface", true, {}},
-                 {"largest correction", true, {}}},
-                {},
-                {}};
+                columns({">reflectance", "treatment", ">dominant", ">spectral radius", ">bias of mean exitance",
+                         ">exitance error", ">on the worst surface", ">largest correction"})};
     for (std::size_t setting = 0; setting < results.exact.size(); ++setting) {
         for (const Consequences& found : results.consequences) {
             if (found.settings.empty()) continue;
             const studies::radiosity::SettingStatistics& at = found.settings[setting];
             const auto* worst = worst_element(at);
-            table.rows.push_back(cells(
-                {reflectance(request, setting), std::string(studies::radiosity::name(found.treatment)),
+            table.rows.push_back(
+                {reflectance(request, setting), studies::radiosity::name(found.treatment),
                  fmt::format("{} of {}", at.dominant, at.trials), over_trials_text(at.spectral_radius, at.trials, 5),
                  at.exitance.empty() ? "no mean" : bias_text(at.exitance.front()),
                  at.light_error ? percent(*at.light_error) : "–",
                  worst == nullptr
                      ? "–"
                      : fmt::format("{} ({})", percent(relative_error(*worst)), results.of.surfaces[worst->element - 1]),
-                 brief(found.correction.largest, 2)}));
+                 brief(found.correction.largest, 2)});
         }
     }
     for (const Consequences& found : results.consequences) {

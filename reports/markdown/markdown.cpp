@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -64,8 +63,7 @@ std::string brief_section(const studies::StudyResults& results) {
     return out + "\n";
 }
 
-std::string table_text(const studies::PublishedResults& published, std::size_t index,
-                       const std::set<std::size_t>& blamed, double alpha) {
+std::string table_text(const studies::PublishedResults& published, std::size_t index, double alpha) {
     const studies::PublishedTable& table = published.tables.tables[index];
     const studies::TableComparison& comparison = published.comparisons[index];
     std::string out = fmt::format("### {}: {}\n\n", markdown_text(table.id), markdown_text(table.title));
@@ -77,25 +75,19 @@ std::string table_text(const studies::PublishedResults& published, std::size_t i
         rule += "--:|--:|:--|";
     }
     out += "\n" + rule + "\n";
-    const std::size_t columns = table.column_titles.size();
-    std::vector<std::string> above(columns);
-    for (std::size_t row = 0; row < table.row_titles.size(); ++row) {
-        out += fmt::format("| {} |", markdown_cell(table.row_titles[row]));
-        for (std::size_t column = 0; column < columns; ++column) {
-            const auto figure = table.figures[row * columns + column];
-            if (!figure) {
-                out += " | | |";
-                above[column].clear();
-                continue;
-            }
-            const auto& c = *std::find_if(comparison.figures.begin(), comparison.figures.end(),
-                                          [&](const auto& f) { return f.figure == *figure; });
-            const std::string& printed = published.tables.figures[*figure].printed;
-            const std::string_view mark = is_surprising(c, alpha) ? "**" : "";
-            std::string text = fmt::format(" {}{} | {} | {}{}{} |", printed, blamed.contains(*figure) ? " †" : "",
-                                           ours_text(c, printed), mark, place_text(c, printed), mark);
+    std::vector<std::string> above(table.column_titles.size());
+    for (const auto& row : published_table(published, index, alpha).rows) {
+        out += fmt::format("| {} |", markdown_cell(row.front().text));
+        for (std::size_t column = 0; column < above.size(); ++column) {
+            const TableCell* const cell = &row[1 + 3 * column];  // printed, ours, where it falls
+            const bool has_figure = !cell[0].text.empty();
+            const std::string_view mark = cell[2].mark == Mark::surprising ? "**" : "";
+            std::string text = " | | |";
+            if (has_figure)
+                text = fmt::format(" {}{} | {} | {}{}{} |", cell[0].text, cell[0].mark == Mark::misprint ? " †" : "",
+                                   cell[1].text, mark, cell[2].text, mark);
             // A deterministic method treats congruent faces alike: rows and rows of the same figures.
-            out += text == above[column] ? std::string(" ″ | ″ | ″ |") : text;
+            out += has_figure && text == above[column] ? " ″ | ″ | ″ |" : text;
             above[column] = std::move(text);
         }
         out += "\n";
@@ -122,21 +114,18 @@ std::string published_tables_section(const studies::StudyResults& results) {
     if (!results.published) return {};
     const studies::PublishedResults& published = *results.published;
     const double alpha = 1 - results.findings.plan.spec.level;
-    const std::set<std::size_t> blamed = blamed_figures(published.audit);
     std::string out = fmt::format(
         "## The published tables, three things side by side\n\n"
         "{}\n\n"
         "*Printed* is the figure as published († : the audit finds that it contradicts others). *Ours* is the value of "
-        "a "
-        "deterministic method; of a sampled one the mean over trials and the range of {:g} % of single runs. ″: as in "
-        "the row above. "
-        "*Where it "
-        "falls*: (printed − mean) in standard deviations of a single run, and the share of our runs below it; bold "
-        "where a "
-        "run as described would give it, or something further out, less often than {:g} % allows over the whole table "
-        "(Student t, Holm; χ² by Hotelling's T²).\n\n",
+        "a deterministic method; of a sampled one the mean over trials and the range of {:g} % of single runs. ″: as "
+        "in "
+        "the row above. *Where it falls*: (printed − mean) in standard deviations of a single run, and the share of "
+        "our "
+        "runs below it; bold where a run as described would give it, or something further out, less often than {:g} % "
+        "allows over the whole table (Student t, Holm; χ² by Hotelling's T²).\n\n",
         markdown_text(published.tables.source), 100 * (1 - alpha), 100 * alpha);
-    for (std::size_t i = 0; i < published.tables.tables.size(); ++i) out += table_text(published, i, blamed, alpha);
+    for (std::size_t i = 0; i < published.tables.tables.size(); ++i) out += table_text(published, i, alpha);
     return out;
 }
 

@@ -53,8 +53,8 @@ std::string pair_rows(const Scene& scene, const studies::LadderSlopes& ladder) {
 }
 
 std::string ladder_details(const studies::StudyPlan& plan, const studies::LadderSlopes& ladder) {
-    const std::string scene = plan.scenes.size() == 1 ? "" : plan.scenes[ladder.ladder.scene].name + ": ";
-    std::string out = fmt::format("<details><summary>{}{}: sizes {}, pair by pair</summary>\n\n", escape_html(scene),
+    std::string out = fmt::format("<details><summary>{}{}: sizes {}, pair by pair</summary>\n\n",
+                                  escape_html(scene_prefix(plan, ladder.ladder.scene)),
                                   escape_html(ladder.ladder.label), sizes_text(plan, ladder.ladder));
     out +=
         "| pairs | N | RMSE | median of the absolute error | mean bias | efficiency 1 / (RMSE² N) "

@@ -39,6 +39,12 @@ bool is_markup(char before, char c, char after) {
     }
 }
 
+std::string cell_text(const TableCell& cell) {
+    const std::string out = markdown_cell(cell.text);
+    const bool stressed = (cell.mark == Mark::bad || cell.mark == Mark::surprising) && !out.empty();
+    return stressed ? fmt::format("**{}**", out) : out;
+}
+
 }  // namespace
 
 std::string markdown_text(std::string_view text) {
@@ -63,16 +69,6 @@ std::string markdown_code(std::string_view language, std::string_view lines) {
     while (lines.find(fence) != std::string_view::npos) fence += '`';
     return fmt::format("{}{}\n{}{}\n", fence, language, lines, fence);
 }
-
-namespace {
-
-std::string cell_text(const TableCell& cell) {
-    const std::string out = markdown_cell(cell.text);
-    const bool stressed = (cell.mark == Mark::bad || cell.mark == Mark::surprising) && !out.empty();
-    return stressed ? fmt::format("**{}**", out) : out;
-}
-
-}  // namespace
 
 std::string markdown_table(const Table& table) {
     std::string out = "|";

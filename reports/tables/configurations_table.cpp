@@ -48,43 +48,6 @@ std::string interval_of(const studies::ConfigurationEstimate& estimate) {
                        to_error(estimate.interval->high, estimate.error));
 }
 
-}  // namespace
-
-Table configurations_table(const studies::StudyResults& results) {
-    const studies::StudyPlan& plan = results.findings.plan;
-    Table table{
-        "configurations",
-        "Against the exact values of the catalogue",
-        fmt::format("Mean over trials, its {:g} % interval on its own, and how many of its standard errors it is off "
-                    "(of a deterministic method: the error). The verdict is that of the bias test, {:g} % over "
-                    "the whole study. A surface that sees itself is estimated by what it sends to another.",
-                    100 * plan.spec.level, 100 * (1 - plan.spec.level)),
-        {{"configuration", false, ""},
-         {"method and size", false, ""},
-         {"estimate", true, ""},
-         {"interval", false, ""},
-         {"exact", true, ""},
-         {"off by", true, ""},
-         {"verdict", false, ""}},
-        {},
-        {}};
-    if (!results.occlusion.empty()) return table;  // which has a table of its own
-    for (const studies::ConfigurationEstimate& row : studies::configuration_estimates(results.findings)) {
-        const studies::Cell& cell = plan.cells[row.found->cell];
-        table.rows.push_back(
-            {{std::string(row.configuration->name)},
-             {fmt::format("{}, {}", plan.spec.methods[cell.method].name, size_label(plan, cell))},
-             {to_error(row.mean, row.error)},
-             {interval_of(row)},
-             {fmt::format("{:.12f}", row.exact)},
-             {row.standard_errors ? fmt::format("{:+.2f} SE", *row.standard_errors) : fmt::format("{:+.1e}", row.bias)},
-             verdict(plan.scenes[cell.scene], row)});
-    }
-    return table;
-}
-
-namespace {
-
 std::string error_text(const studies::PairError& found) {
     const double error = found.size();
     if (error < studies::rounding_error) return "exact";
@@ -102,11 +65,34 @@ TableCell cell_of(const studies::HiddenPair& scene, std::size_t method) {
 
 }  // namespace
 
+Table configurations_table(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Table table{
+        "configurations", "Against the exact values of the catalogue",
+        fmt::format("Mean over trials, its {:g} % interval on its own, and how many of its standard errors it is off "
+                    "(of a deterministic method: the error). The verdict is that of the bias test, {:g} % over "
+                    "the whole study. A surface that sees itself is estimated by what it sends to another.",
+                    100 * plan.spec.level, 100 * (1 - plan.spec.level)),
+        columns({"configuration", "method and size", ">estimate", "interval", ">exact", ">off by", "verdict"})};
+    if (!results.occlusion.empty()) return table;  // which has a table of its own
+    for (const studies::ConfigurationEstimate& row : studies::configuration_estimates(results.findings)) {
+        const studies::Cell& cell = plan.cells[row.found->cell];
+        table.rows.push_back(
+            {{std::string(row.configuration->name)},
+             {fmt::format("{}, {}", plan.spec.methods[cell.method].name, size_label(plan, cell))},
+             {to_error(row.mean, row.error)},
+             {interval_of(row)},
+             {fmt::format("{:.12f}", row.exact)},
+             {row.standard_errors ? fmt::format("{:+.2f} SE", *row.standard_errors) : fmt::format("{:+.1e}", row.bias)},
+             verdict(plan.scenes[cell.scene], row)});
+    }
+    return table;
+}
+
 Table occlusion_table(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     Table table{
-        "occlusion",
-        "Errors as the occluded fraction grows",
+        "occlusion", "Errors as the occluded fraction grows",
         fmt::format(
             "RMSE of a run on one pair of faces, at the size next to the common number of evaluations, and the "
             "slope of ln(error) on ln(N) along all sizes (± half of its {:g} % interval); of methods without "
@@ -115,19 +101,17 @@ Table occlusion_table(const studies::StudyResults& results) {
             "over all rows together. An evaluation is a ray, which serves all faces, or a value of the "
             "kernel, which serves one pair.",
             100 * plan.spec.level, 100 * (1 - plan.spec.level)),
-        {{"scene", false, ""}, {"pair", false, ""}, {"occluded", true, ""}, {"exact", true, ""}, {"N", true, ""}},
-        {},
-        {}};
+        columns({"scene", "pair", ">occluded", ">exact", ">N"})};
     if (results.occlusion.empty()) return table;
-    for (const studies::Method& method : plan.spec.methods) table.columns.push_back({method.name, false, ""});
+    for (const studies::Method& method : plan.spec.methods) table.columns.push_back({method.name});
     for (const studies::OcclusionSeries& series : results.occlusion) {
         for (const studies::HiddenPair& scene : series.scenes) {
             auto& row = table.rows.emplace_back();
-            row.push_back({plan.scenes[scene.scene].name});
-            row.push_back({quantity_label(plan.scenes[scene.scene], series.pair)});
-            row.push_back({fmt::format("{:.4f}", scene.hidden)});
-            row.push_back({fmt::format("{:.9f}", scene.exact)});
-            row.push_back({std::to_string(series.evaluations)});
+            row.push_back(plan.scenes[scene.scene].name);
+            row.push_back(quantity_label(plan.scenes[scene.scene], series.pair));
+            row.push_back(fmt::format("{:.4f}", scene.hidden));
+            row.push_back(fmt::format("{:.9f}", scene.exact));
+            row.push_back(std::to_string(series.evaluations));
             for (std::size_t method = 0; method < scene.methods.size(); ++method) row.push_back(cell_of(scene, method));
         }
         table.remarks.push_back(series_in_words(results, series));

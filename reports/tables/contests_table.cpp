@@ -83,14 +83,11 @@ constexpr std::string_view measured_elsewhere =
 /// The table for a study with one scene.
 Table side_by_side(const studies::StudyResults& results, bool timed) {
     const studies::StudyPlan& plan = results.findings.plan;
-    Table table{"side-by-side",
-                "Methods side by side",
+    Table table{"side-by-side", "Methods side by side",
                 "How many times the smallest mean square error each method makes at equal cost, and how many times the "
                 "least evaluations it takes to an equal error. Methods that are not shown to differ from the first of "
                 "their group share its letter.",
-                {{"method", false, ""}, {"pairs", false, ""}},
-                {},
-                {}};
+                columns({"method", "pairs"})};
     std::vector<std::vector<const Contest*>> columns;
     for (const Equal equal : shown(timed)) {
         auto contests = studies::main_contests(results.contests, equal);
@@ -116,13 +113,13 @@ Table side_by_side(const studies::StudyResults& results, bool timed) {
             for (std::size_t i = 0; contest != nullptr && i < contest->entrants.size(); ++i) {
                 const std::string method = name_of(plan, *contest, i);
                 if (!seen.insert(method).second) continue;
-                std::vector<TableCell> row{{method}, {std::string(name(lead->pair_class))}};
+                std::vector<TableCell> row{method, name(lead->pair_class)};
                 for (const Contest* column : contests) {
                     std::string text = "–";
                     for (std::size_t k = 0; column != nullptr && k < column->entrants.size(); ++k) {
                         if (name_of(plan, *column, k) == method) text = standing(*column, k);
                     }
-                    row.push_back({text});
+                    row.push_back(text);
                 }
                 table.rows.push_back(std::move(row));
             }
@@ -143,13 +140,10 @@ Table side_by_side(const studies::StudyResults& results, bool timed) {
 /// The table for a study with several scenes: the best methods of each scene.
 Table best_of_scenes(const studies::StudyResults& results, Equal equal) {
     const studies::StudyPlan& plan = results.findings.plan;
-    Table table{"best-of-scenes",
-                fmt::format("The best methods of each scene, at {}", in_words(equal)),
+    Table table{"best-of-scenes", fmt::format("The best methods of each scene, at {}", in_words(equal)),
                 "Methods that are not shown to be worse than the one with the smallest mean square error, and the "
                 "first that is: how many times as large its mean square error is.",
-                {{"scene", false, ""}, {"pairs", false, ""}, {"best", false, ""}, {"next", false, ""}},
-                {},
-                {}};
+                columns({"scene", "pairs", "best", "next"})};
     for (const Contest* contest : studies::main_contests(results.contests, equal)) {
         std::vector<std::string> best;
         std::string next = "–";
@@ -159,10 +153,9 @@ Table best_of_scenes(const studies::StudyResults& results, Equal equal) {
                 next = fmt::format("{}: {}", name_of(plan, *contest, i), standing(*contest, i).substr(3));
         }
         const Scene& scene = plan.scenes[contest->scene];
-        table.rows.push_back({{scene.name},
-                              {kind_of(contest->pair_class, studies::may_be_occluded(scene, contest->pair_class))},
-                              {listed(best)},
-                              {next}});
+        table.rows.push_back({scene.name,
+                              kind_of(contest->pair_class, studies::may_be_occluded(scene, contest->pair_class)),
+                              listed(best), next});
     }
     return table;
 }
@@ -180,14 +173,11 @@ Table decisions_table(const studies::StudyResults& results, bool timed) {
     const bool measured = timed && !studies::main_contests(results.contests, Equal::processor_time).empty();
     const Equal equal = measured ? Equal::processor_time : Equal::evaluations;
     Table table{
-        "decisions",
-        fmt::format("Which method to take, at {}", in_words(equal)),
+        "decisions", fmt::format("Which method to take, at {}", in_words(equal)),
         "Of each kind of pairs the methods that are best in the most scenes: nothing is shown to have a smaller "
         "mean square error. In parentheses in how many of the scenes that they can do, and how many times the "
         "smallest mean square error they make where they do worst.",
-        {{"pairs", false, ""}, {"scenes", true, ""}, {"take", false, ""}, {"or", false, ""}},
-        {},
-        {}};
+        columns({"pairs", ">scenes", "take", "or"})};
     for (const studies::Decision& decision : studies::decide(plan, results.contests, equal)) {
         // All methods that are best as often as the one at a place.
         const auto alike = [&](std::size_t place) {
@@ -209,10 +199,8 @@ Table decisions_table(const studies::StudyResults& results, bool timed) {
                 names.size() == 1 ? fmt::format(", at worst {}", brief(choice.largest_handicap, 2)) : " each";
             return fmt::format("{} ({} of {}{})", listed(names), choice.best, choice.entered, worst);
         };
-        table.rows.push_back({{kind_of(decision.pair_class, decision.may_be_occluded)},
-                              {std::to_string(decision.scenes)},
-                              {text(0)},
-                              {text(alike(0).size())}});
+        table.rows.push_back({kind_of(decision.pair_class, decision.may_be_occluded), std::to_string(decision.scenes),
+                              text(0), text(alike(0).size())});
     }
     if (!timed && !table.rows.empty()) table.remarks.emplace_back(measured_elsewhere);
     return table;

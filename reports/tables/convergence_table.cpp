@@ -1,4 +1,5 @@
 #include "reports/tables/tables.hpp"
+#include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/findings/slope_words.hpp"
 
@@ -9,61 +10,21 @@
 namespace ff::reports {
 namespace {
 
-/// What is faster than theory is marked too: theory does not explain it.
-Mark mark_against_theory(const studies::ClassSlopes& found) {
+/// @param faster  the mark of what is faster than theory expects
+Mark mark_of(const studies::ClassSlopes& found, Mark faster) {
     switch (found.finding) {
         case studies::RateFinding::as_expected:
             return Mark::good;
         case studies::RateFinding::slower:
             return Mark::bad;
         case studies::RateFinding::faster:
-            return Mark::surprising;
+            return faster;
         case studies::RateFinding::no_theory:
         case studies::RateFinding::no_slope:
             break;
     }
     return Mark::none;
 }
-
-}  // namespace
-
-Table slopes_table(const studies::StudyResults& results) {
-    const studies::StudyPlan& plan = results.findings.plan;
-    Table table{
-        "slopes",
-        "Slopes of ln(error) on ln(N)",
-        fmt::format("± half of the {:g} % interval (bootstrap over trials). Verdicts: Holm over all rows with a "
-                    "theory, {:g} % together.",
-                    100 * plan.spec.level, 100 * (1 - plan.spec.level)),
-        {{"method", false, ""},
-         {"sizes", false, ""},
-         {"pairs", false, ""},
-         {"RMSE", true, ""},
-         {"median", true, ""},
-         {"theory", false, ""},
-         {"verdict", false, ""}},
-        {},
-        {}};
-    for (const studies::LadderSlopes& ladder : results.slopes) {
-        const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[ladder.ladder.scene].name + " ";
-        std::string method = scene + ladder.ladder.label;
-        std::string sizes = sizes_text(plan, ladder.ladder);
-        for (const studies::ClassSlopes& found : ladder.classes) {
-            table.rows.push_back({{std::move(method), Mark::none},
-                                  {std::move(sizes), Mark::none},
-                                  {std::string(name(found.pair_class)), Mark::none},
-                                  {slope_text(found.rmse), Mark::none},
-                                  {slope_text(found.median), Mark::none},
-                                  {expected_text(found.judged()), Mark::none},
-                                  {finding_in_words(found), mark_against_theory(found)}});
-            method.clear();
-            sizes.clear();
-        }
-    }
-    return table;
-}
-
-namespace {
 
 std::string interval_text(const std::optional<stats::Interval>& interval) {
     return interval ? fmt::format("[{:.3f}, {:.3f}]", interval->low, interval->high) : "–";
@@ -78,28 +39,37 @@ std::string theory(const studies::Slope& found) {
     return fmt::format("{} [{}]: {}", expected_text(found), found.expected->source, found.expected->because);
 }
 
-/// What is faster than theory is as good as what is as fast.
-Mark mark_of_speed(const studies::ClassSlopes& found) {
-    switch (found.finding) {
-        case studies::RateFinding::as_expected:
-        case studies::RateFinding::faster:
-            return Mark::good;
-        case studies::RateFinding::slower:
-            return Mark::bad;
-        case studies::RateFinding::no_theory:
-        case studies::RateFinding::no_slope:
-            break;
-    }
-    return Mark::none;
-}
-
 }  // namespace
+
+Table slopes_table(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    Table table{
+        "slopes", "Slopes of ln(error) on ln(N)",
+        fmt::format("± half of the {:g} % interval (bootstrap over trials). Verdicts: Holm over all rows with a "
+                    "theory, {:g} % together.",
+                    100 * plan.spec.level, 100 * (1 - plan.spec.level)),
+        columns({"method", "sizes", "pairs", ">RMSE", ">median", "theory", "verdict"})};
+    for (const studies::LadderSlopes& ladder : results.slopes) {
+        const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[ladder.ladder.scene].name + " ";
+        std::string method = scene + ladder.ladder.label;
+        std::string sizes = sizes_text(plan, ladder.ladder);
+        for (const studies::ClassSlopes& found : ladder.classes) {
+            table.rows.push_back({std::exchange(method, {}),
+                                  std::exchange(sizes, {}),
+                                  name(found.pair_class),
+                                  slope_text(found.rmse),
+                                  slope_text(found.median),
+                                  expected_text(found.judged()),
+                                  {finding_in_words(found), mark_of(found, Mark::surprising)}});
+        }
+    }
+    return table;
+}
 
 Table convergence_table(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     Table table{
-        "convergence",
-        "Convergence",
+        "convergence", "Convergence",
         fmt::format(
             "Slope of ln(error) on ln N, N evaluations for a face (for a pair of faces with area_kernel): weighted "
             "least squares with Var(ln MSE) = ψ₁(T/2), scaled by how trials vary. Two intervals of level {:g}: by "
@@ -108,31 +78,20 @@ Table convergence_table(const studies::StudyResults& results) {
             "error; a range where powers of ln N slow it down at these sizes. Verdicts: Holm over all rows with a "
             "theory, {:g} % together.",
             plan.spec.level, 100 * (1 - plan.spec.level)),
-        {{"method", false, ""},
-         {"pairs", false, ""},
-         {"verdict", false, ""},
-         {"RMSE slope", true, ""},
-         {"bootstrap", true, "", true},
-         {"from the fit", true, "", true},
-         {"lack of fit p", true, "", true},
-         {"median slope", true, "", true},
-         {"bootstrap", true, "", true},
-         {"theory", false, "", true}},
-        {},
-        {}};
+        columns({"method", "pairs", "verdict", ">RMSE slope", ">~bootstrap", ">~from the fit", ">~lack of fit p",
+                 ">~median slope", ">~bootstrap", "~theory"})};
     for (const studies::LadderSlopes& ladder : results.slopes) {
-        const std::string scene = plan.scenes.size() == 1 ? "" : plan.scenes[ladder.ladder.scene].name + ": ";
         for (const studies::ClassSlopes& found : ladder.classes) {
-            table.rows.push_back({{scene + ladder.ladder.label},
-                                  {std::string(name(found.pair_class))},
-                                  {finding_in_words(found), mark_of_speed(found)},
-                                  {slope(found.rmse)},
-                                  {interval_text(found.rmse.interval)},
-                                  {interval_text(found.rmse.interval_from_fit)},
-                                  {found.rmse.lack_of_fit_p ? p_value(*found.rmse.lack_of_fit_p) : "–"},
-                                  {slope(found.median)},
-                                  {interval_text(found.median.interval)},
-                                  {theory(found.judged())}});
+            table.rows.push_back({scene_prefix(plan, ladder.ladder.scene) + ladder.ladder.label,
+                                  name(found.pair_class),
+                                  {finding_in_words(found), mark_of(found, Mark::good)},
+                                  slope(found.rmse),
+                                  interval_text(found.rmse.interval),
+                                  interval_text(found.rmse.interval_from_fit),
+                                  found.rmse.lack_of_fit_p ? p_value(*found.rmse.lack_of_fit_p) : "–",
+                                  slope(found.median),
+                                  interval_text(found.median.interval),
+                                  theory(found.judged())});
         }
     }
     return without_idle_columns(std::move(table));

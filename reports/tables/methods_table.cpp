@@ -52,7 +52,7 @@ Table methods_table(const studies::StudyResults& results) {
             "together (allowing for skewness, Holm over pairs, Šidák over methods and sizes, {:g} % over the whole "
             "study); in parentheses what is detected with power {:g}.",
             100 * plan.spec.level, 100 * (1 - plan.spec.level), plan.spec.power),
-        {{"method", false, ""}, {"size (patches per face)", false, ""}, {"bias", false, ""}},
+        columns({"method", "size (patches per face)", "bias"}),
         {},
         plan.warnings};
     std::vector<PairClass> classes{PairClass::parallel, PairClass::adjacent};
@@ -67,14 +67,12 @@ Table methods_table(const studies::StudyResults& results) {
     for (const studies::CellAnalysis& found : results.findings.cells) {
         if (hidden.contains(found.cell)) continue;
         const studies::Cell& cell = plan.cells[found.cell];
-        const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[cell.scene].name + ": ";
-        std::vector<TableCell> row{{scene + plan.spec.methods[cell.method].name, Mark::none},
-                                   {size_label(plan, cell), Mark::none},
-                                   {bias_in_words(found), bias_mark(found)}};
+        std::vector<TableCell> row{
+            method_label(plan, cell), size_label(plan, cell), {bias_in_words(found), bias_mark(found)}};
         if (margin) row.push_back({equivalence_in_words(found), equivalence_mark(found.equivalence)});
-        for (const PairClass each : classes) row.push_back({rmse_text(found, each), Mark::none});
-        row.push_back({sum_error_text(found), Mark::none});
-        row.push_back({std::to_string(found.trials), Mark::none});
+        for (const PairClass each : classes) row.push_back(rmse_text(found, each));
+        row.push_back(sum_error_text(found));
+        row.push_back(std::to_string(found.trials));
         table.rows.push_back(std::move(row));
     }
     if (!hidden.empty()) {
@@ -89,22 +87,12 @@ Table pairs_table(const studies::StudyResults& results, std::size_t cell_index) 
     const studies::CellAnalysis& found = results.findings.cells[cell_index];
     const studies::Cell& cell = plan.cells[found.cell];
     const Scene& scene = plan.scenes[cell.scene];
-    Table table{fmt::format("pairs-{}", cell_index),
-                fmt::format("{}, pair by pair", cell_label(plan, cell)),
-                cell.deterministic
-                    ? "Deterministic: one run says all, and the bias is the error."
-                    : fmt::format("Intervals: of the mean of {} trials, level {:g}, each row on its own.", found.trials,
-                                  plan.spec.level),
-                {{"", false, ""},
-                 {"exact", true, "", true},
-                 {"mean", true, ""},
-                 {"bias", true, ""},
-                 {"z", true, "", true},
-                 {"interval of the bias", true, "", true},
-                 {"detectable", true, "", true},
-                 {"std of a run", true, "", true}},
-                {},
-                {}};
+    Table table{
+        fmt::format("pairs-{}", cell_index), fmt::format("{}, pair by pair", cell_label(plan, cell)),
+        cell.deterministic ? "Deterministic: one run says all, and the bias is the error."
+                           : fmt::format("Intervals: of the mean of {} trials, level {:g}, each row on its own.",
+                                         found.trials, plan.spec.level),
+        columns({"", ">~exact", ">mean", ">bias", ">~z", ">~interval of the bias", ">~detectable", ">~std of a run"})};
     const bool reciprocal = plan.spec.methods[cell.method].completion == studies::Completion::reciprocal;
     for (const studies::Summary& s : found.summaries) {
         const bool follows =
@@ -113,16 +101,15 @@ Table pairs_table(const studies::StudyResults& results, std::size_t cell_index) 
         const auto number = [](const std::optional<double>& value, std::string_view format) {
             return value ? fmt::format(fmt::runtime(format), *value) : std::string("–");
         };
-        std::vector<TableCell> row{{quantity_label(scene, s.quantity), Mark::none}};
-        row.push_back({number(s.reference, "{:.9f}"), Mark::none});
-        row.push_back({mean_text(s), Mark::none});
-        row.push_back({number(s.bias, "{:+.2e}"), Mark::none});
-        row.push_back({s.bias && s.bias_se ? fmt::format("{:+.2f}", *s.bias / *s.bias_se) : "–", Mark::none});
-        row.push_back(
-            {s.bias_interval ? fmt::format("[{:+.2e}, {:+.2e}]", s.bias_interval->low, s.bias_interval->high) : "–",
-             Mark::none});
-        row.push_back({number(s.minimum_detectable_bias, "{:.2e}"), Mark::none});
-        row.push_back({number(s.std, "{:.3e}"), Mark::none});
+        std::vector<TableCell> row{quantity_label(scene, s.quantity)};
+        row.push_back(number(s.reference, "{:.9f}"));
+        row.push_back(mean_text(s));
+        row.push_back(number(s.bias, "{:+.2e}"));
+        row.push_back(s.bias && s.bias_se ? fmt::format("{:+.2f}", *s.bias / *s.bias_se) : "–");
+        row.push_back(s.bias_interval ? fmt::format("[{:+.2e}, {:+.2e}]", s.bias_interval->low, s.bias_interval->high)
+                                      : "–");
+        row.push_back(number(s.minimum_detectable_bias, "{:.2e}"));
+        row.push_back(number(s.std, "{:.3e}"));
         table.rows.push_back(std::move(row));
     }
     return table;

@@ -32,7 +32,7 @@ Table published_table(const studies::PublishedResults& published, std::size_t in
     const studies::TableComparison& comparison = published.comparisons[index];
     const auto blamed = blamed_figures(published.audit);
     Table table{printed.id,   fmt::format("{}: {}", printed.id, printed.title),
-                printed.note, {{"", false, ""}},
+                printed.note, columns({""}),
                 {},           remarks_of(printed, comparison)};
     for (const std::string& column : printed.column_titles) {
         table.columns.push_back({"printed", true, column});
@@ -41,7 +41,7 @@ Table published_table(const studies::PublishedResults& published, std::size_t in
     }
     const std::size_t columns = printed.column_titles.size();
     for (std::size_t row = 0; row < printed.row_titles.size(); ++row) {
-        std::vector<TableCell> cells{{printed.row_titles[row], Mark::none}};
+        std::vector<TableCell> cells{printed.row_titles[row]};
         for (std::size_t column = 0; column < columns; ++column) {
             const auto figure = printed.figures[row * columns + column];
             if (!figure) {
@@ -52,7 +52,7 @@ Table published_table(const studies::PublishedResults& published, std::size_t in
                                           [&](const FigureComparison& f) { return f.figure == *figure; });
             const std::string& text = published.tables.figures[*figure].printed;
             cells.push_back({text, blamed.contains(*figure) ? Mark::misprint : Mark::none});
-            cells.push_back({ours_text(c, text), Mark::none});
+            cells.push_back(ours_text(c, text));
             cells.push_back({place_text(c, text), is_surprising(c, alpha) ? Mark::surprising : Mark::none});
         }
         table.rows.push_back(std::move(cells));
@@ -61,18 +61,15 @@ Table published_table(const studies::PublishedResults& published, std::size_t in
 }
 
 Table claims_table(const studies::PublishedResults& published) {
-    Table table{
-        "claims", "The publication's claims, judged",
-        "",       {{"claim", false, ""}, {"verdict", false, ""}, {"section", false, ""}, {"evidence", false, ""}},
-        {},       {}};
+    Table table{"claims", "The publication's claims, judged", "", columns({"claim", "verdict", "section", "evidence"})};
     for (const studies::JudgedClaim& claim : published.claims) {
         const Mark mark = claim.verdict == studies::ClaimVerdict::supported ? Mark::good
                           : claim.verdict == studies::ClaimVerdict::refuted ? Mark::bad
                                                                             : Mark::open;
-        table.rows.push_back({{claim.claim.statement, Mark::none},
+        table.rows.push_back({claim.claim.statement,
                               {std::string(studies::name(claim.verdict)), mark},
-                              {claim.claim.section, Mark::none},
-                              {claim.evidence, Mark::none}});
+                              claim.claim.section,
+                              claim.evidence});
     }
     return table;
 }

@@ -16,9 +16,7 @@ using studies::radiosity::Consequences;
 
 /// The cells that name a row: method and size.
 std::vector<TableCell> row_of(const studies::StudyPlan& plan, std::size_t index) {
-    const studies::Cell& cell = plan.cells[index];
-    const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[cell.scene].name + ": ";
-    return {{scene + plan.spec.methods[cell.method].name, Mark::none}, {size_label(plan, cell), Mark::none}};
+    return {method_label(plan, plan.cells[index]), size_label(plan, plan.cells[index])};
 }
 
 using studies::radiosity::Between;
@@ -34,32 +32,22 @@ std::string id_of(Between between, const std::string& id) {
 Table matrices_table(const studies::StudyResults& results, Between between) {
     const studies::StudyPlan& plan = results.findings.plan;
     Table table{
-        id_of(between, "radiosity-matrices"),
-        title_of(between, "What is wrong with the matrices"),
+        id_of(between, "radiosity-matrices"), title_of(between, "What is wrong with the matrices"),
         "Median over trials, in brackets the range. Closure defect: largest |row sum − 1|. Reciprocity defect: largest "
         "|F_ij − F_ji A_j / A_i|. Correction: largest change of a factor by the treatment. Error: root mean "
         "square over pairs against the exact factors. The last two columns are reflectances, the same "
         "everywhere, below which I − P F is strictly diagonally dominant, and the spectral radius of P F below 1; "
         "above 1 they hold for every surface.",
-        {{"method", false, ""},
-         {"size (patches per face)", false, ""},
-         {"treatment", false, ""},
-         {"closure defect", true, ""},
-         {"reciprocity defect", true, ""},
-         {"correction", true, ""},
-         {"error", true, ""},
-         {"dominant below", true, ""},
-         {"convergent below", true, ""}},
-        {},
-        {}};
+        columns({"method", "size (patches per face)", "treatment", ">closure defect", ">reciprocity defect",
+                 ">correction", ">error", ">dominant below", ">convergent below"})};
     for (const Consequences& found : results.radiosity->consequences) {
         if (found.between != between) continue;
         if (found.trials == 0) continue;
         auto row = row_of(plan, found.cell);
-        row.push_back({std::string(studies::radiosity::name(found.treatment)), Mark::none});
+        row.push_back(studies::radiosity::name(found.treatment));
         for (const auto* range :
              {&found.closure_defect, &found.reciprocity_defect, &found.correction, &found.factor_error})
-            row.push_back({over_trials_text(*range, found.trials, 2), Mark::none});
+            row.push_back(over_trials_text(*range, found.trials, 2));
         for (const auto* range : {&found.dominant_below, &found.convergent_below}) {
             row.push_back(
                 {over_trials_text(*range, found.trials, 5), range->least < 1 - 1e-12 ? Mark::bad : Mark::good});
@@ -77,8 +65,7 @@ Table matrices_table(const studies::StudyResults& results, Between between) {
 Table exitance_table(const studies::StudyResults& results, Between between) {
     const studies::StudyPlan& plan = results.findings.plan;
     Table table{
-        id_of(between, "radiosity-exitance"),
-        title_of(between, "What becomes of the light"),
+        id_of(between, "radiosity-exitance"), title_of(between, "What becomes of the light"),
         fmt::format("Dominant: trials in which I − P F is strictly diagonally dominant. Spectral radius of P F, "
                     "condition of I − P F (1-norm, estimated) and energy lost (share of the emitted power that "
                     "nothing absorbs; negative: made of nothing): medians and ranges over trials. Mean "
@@ -88,49 +75,32 @@ Table exitance_table(const studies::StudyResults& results, Between between) {
                     "with a negative exitance. Where some of several trials are not convergent, the "
                     "exitance passes a pole and has no mean.",
                     studies::radiosity::name(between), 100 * plan.spec.level),
-        {{"method", false, ""},
-         {"size (patches per face)", false, ""},
-         {"treatment", false, ""},
-         {"reflectance", true, ""},
-         {"dominant", true, ""},
-         {"spectral radius", true, ""},
-         {"condition", true, ""},
-         {"energy lost (%)", true, ""},
-         {"bias of mean exitance", true, ""},
-         {"exitance error", true, ""},
-         {between == Between::patches ? "on the worst patch" : "on the worst face", true, ""},
-         {"negative light", true, ""}},
-        {},
-        {}};
+        columns({"method", "size (patches per face)", "treatment", ">reflectance", ">dominant", ">spectral radius",
+                 ">condition", ">energy lost (%)", ">bias of mean exitance", ">exitance error",
+                 between == Between::patches ? ">on the worst patch" : ">on the worst face", ">negative light"})};
     for (const Consequences& found : results.radiosity->consequences) {
         if (found.between != between) continue;
         for (const studies::radiosity::SettingStatistics& at : found.settings) {
             auto row = row_of(plan, found.cell);
-            row.push_back({std::string(studies::radiosity::name(found.treatment)), Mark::none});
-            row.push_back({setting_text(plan, at.setting), Mark::none});
+            row.push_back(studies::radiosity::name(found.treatment));
+            row.push_back(setting_text(plan, at.setting));
             row.push_back(
                 {fmt::format("{} of {}", at.dominant, at.trials), at.dominant < at.trials ? Mark::bad : Mark::good});
             row.push_back({over_trials_text(at.spectral_radius, at.trials, 5),
                            at.convergent < at.trials ? Mark::bad : Mark::none});
-            row.push_back({over_trials_text(at.condition, at.trials, 3), Mark::none});
-            if (at.energy_defect) {
-                const auto& e = *at.energy_defect;
-                row.push_back(
-                    {over_trials_text({100 * e.least, 100 * e.median, 100 * e.largest}, at.trials, 2), Mark::none});
-            } else {
-                row.push_back({"–", Mark::none});
-            }
+            row.push_back(over_trials_text(at.condition, at.trials, 3));
+            const auto& lost = at.energy_defect;
+            row.push_back(
+                lost ? over_trials_text({100 * lost->least, 100 * lost->median, 100 * lost->largest}, at.trials, 2)
+                     : "–");
             const Mark mark = at.negative > 0 ? Mark::bad : Mark::none;
             row.push_back({at.exitance.empty() ? "singular" : bias_text(at.exitance.front()), mark});
             row.push_back({at.light_error ? percent(*at.light_error) : "–", mark});
-            if (at.light_error) {
-                const auto& worst = *worst_element(at);
-                row.push_back(
-                    {fmt::format("{} ({})", percent(relative_error(worst)), element_text(plan, found, worst.element)),
-                     mark});
-            } else {
-                row.push_back({"–", mark});
-            }
+            const auto* worst = worst_element(at);
+            row.push_back({worst == nullptr ? "–"
+                                            : fmt::format("{} ({})", percent(relative_error(*worst)),
+                                                          element_text(plan, found, worst->element)),
+                           mark});
             row.push_back({at.negative == 0 ? "" : fmt::format("{} of {}", at.negative, at.trials), mark});
             table.rows.push_back(std::move(row));
         }
@@ -145,24 +115,21 @@ TableCell solver_cell(const studies::radiosity::SolverStatistics& found) {
 Table solvers_table(const studies::StudyResults& results, Between between) {
     const studies::StudyPlan& plan = results.findings.plan;
     const std::uint64_t trials = plan.spec.radiosity->solver_trials;
-    Table table{id_of(between, "radiosity-solvers"),
-                title_of(between, "How many iterations solvers take"),
+    Table table{id_of(between, "radiosity-solvers"), title_of(between, "How many iterations solvers take"),
                 fmt::format("Until the largest |e − G m| is {:g} of the largest emission, from m = e: sweeps over all "
                             "{}, or n shots; {}, as each method is completed. Flops: solvers.csv.",
                             plan.spec.radiosity->tolerance, studies::radiosity::name(between),
                             between == Between::patches
                                 ? std::string("the first trial")
                                 : fmt::format("median and range over the first {} trials at most", trials)),
-                {{"method", false, ""}, {"size (patches per face)", false, ""}, {"reflectance", true, ""}},
-                {},
-                {}};
+                columns({"method", "size (patches per face)", ">reflectance"})};
     for (const Solver solver : all_solvers) {
         if (solver != Solver::lu) table.columns.push_back({std::string(ff::name(solver)), true, "iterations"});
     }
     const auto add = [&](std::vector<TableCell> row, std::size_t setting,
                          const std::vector<studies::radiosity::SolverStatistics>& solvers) {
         if (solvers.empty()) return;
-        row.push_back({setting_text(plan, setting), Mark::none});
+        row.push_back(setting_text(plan, setting));
         for (const studies::radiosity::SolverStatistics& found : solvers) {
             if (found.solver != Solver::lu) row.push_back(solver_cell(found));
         }
@@ -170,9 +137,8 @@ Table solvers_table(const studies::StudyResults& results, Between between) {
     };
     for (const studies::radiosity::ExactSystem& system : results.radiosity->exact) {
         if ((system.m != 0) != (between == Between::patches)) continue;
-        const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[system.scene].name + ": ";
         const std::string size = system.m == 0 ? "–" : std::to_string(system.m * system.m);
-        add({{scene + "exact factors", Mark::none}, {size, Mark::none}}, system.setting, system.solvers);
+        add({scene_prefix(plan, system.scene) + "exact factors", size}, system.setting, system.solvers);
     }
     for (const Consequences& found : results.radiosity->consequences) {
         if (found.between != between) continue;
@@ -184,23 +150,13 @@ Table solvers_table(const studies::StudyResults& results, Between between) {
 
 Table bias_order_table(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
-    Table table{"radiosity-bias",
-                "The bias of the exitance",
+    Table table{"radiosity-bias", "The bias of the exitance",
                 fmt::format("Of the mean exitance of all faces, relative, at each size; and N times that, which stays "
                             "where the bias is of order 1/N, N evaluations for a face. Slope of ln |bias| on ln N with "
                             "its {:g} % interval, where the bias is beyond three standard errors at every size.",
                             100 * plan.spec.level),
-                {{"ladder", false, ""},
-                 {"treatment", false, ""},
-                 {"reflectance", true, ""},
-                 {"N", true, ""},
-                 {"bias", true, ""},
-                 {"N × bias", true, ""},
-                 {"slope", true, ""}},
-                {},
-                {}};
+                columns({"ladder", "treatment", ">reflectance", ">N", ">bias", ">N × bias", ">slope"})};
     for (const studies::radiosity::BiasOrder& order : results.bias_orders) {
-        const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[order.scene].name + ": ";
         std::vector<std::string> sizes, biases, products;
         for (const auto& point : order.points) {
             sizes.push_back(fmt::format("{:.0f}", point.evaluations));
@@ -210,13 +166,10 @@ Table bias_order_table(const studies::StudyResults& results) {
         const std::string slope = order.slope ? fmt::format("{:.2f} [{:.2f}, {:.2f}]", *order.slope,
                                                             order.interval->low, order.interval->high)
                                               : "–";
-        table.rows.push_back({{scene + order.label, Mark::none},
-                              {std::string(studies::radiosity::name(order.treatment)), Mark::none},
-                              {setting_text(plan, order.setting), Mark::none},
-                              {fmt::format("{}", fmt::join(sizes, "; ")), Mark::none},
-                              {fmt::format("{}", fmt::join(biases, "; ")), Mark::none},
-                              {fmt::format("{}", fmt::join(products, "; ")), Mark::none},
-                              {slope, Mark::none}});
+        table.rows.push_back({scene_prefix(plan, order.scene) + order.label, studies::radiosity::name(order.treatment),
+                              setting_text(plan, order.setting), fmt::format("{}", fmt::join(sizes, "; ")),
+                              fmt::format("{}", fmt::join(biases, "; ")), fmt::format("{}", fmt::join(products, "; ")),
+                              slope});
     }
     return table;
 }

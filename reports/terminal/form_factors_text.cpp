@@ -22,7 +22,6 @@ constexpr std::size_t most_listed = 10;
 struct MethodRow {
     std::size_t pairs = 0;
     double worst = 0;
-    std::uint64_t samples = 0;
 };
 
 std::string methods(const FormFactorReport& report, const TextStyle& style) {
@@ -37,17 +36,14 @@ std::string methods(const FormFactorReport& report, const TextStyle& style) {
         const FaceExchange nothing = studies::form_factors::no_exchange(0, 0);
         rows[{method_of(nothing), reason_of(nothing)}].pairs = unseen;
     }
-    Table table{"methods", "",
-                "",        {{"method", false, {}}, {"pairs", true, {}}, {"worst ±", true, {}}, {"why", false, {}}},
-                {},        {}};
+    Table table{"methods", "", "", columns({"method", ">pairs", ">worst ±", "why"})};
     for (const auto& [key, row] : rows) {
-        table.rows.push_back({plain_cell(std::string(key.first)), plain_cell(std::to_string(row.pairs)),
-                              plain_cell(key.first == "none" ? "" : brief(row.worst, 2)),
-                              plain_cell(std::string(key.second))});
+        table.rows.push_back(
+            {key.first, std::to_string(row.pairs), key.first == "none" ? "" : brief(row.worst, 2), key.second});
     }
     if (report.matrix.dropped > 0)
-        table.rows.push_back({plain_cell("dropped"), plain_cell(std::to_string(report.matrix.dropped)), plain_cell(""),
-                              plain_cell(fmt::format("both factors are below {}", brief(report.request.drop)))});
+        table.rows.push_back({"dropped", std::to_string(report.matrix.dropped), "",
+                              fmt::format("both factors are below {}", brief(report.request.drop))});
     return text_table(table, style);
 }
 
@@ -68,20 +64,19 @@ std::string factors(const FormFactorReport& report, const TextStyle& style) {
     const Eigen::MatrixXd values = report.matrix.factors();
     const Eigen::MatrixXd widths = report.matrix.half_widths();
     const auto n = static_cast<Eigen::Index>(report.scene.faces.size());
-    Table table{"factors", "", "", {{"F from", false, {}}}, {}, {}};
-    for (const std::string& face : report.scene.faces) table.columns.push_back({"to " + face, true, {}});
-    table.columns.push_back({"sum", true, {}});
-    table.columns.push_back({"interval of the sum", false, {}});
+    Table table{"factors", "", "", columns({"F from"})};
+    for (const std::string& face : report.scene.faces) table.columns.push_back({"to " + face, true});
+    table.columns.push_back({"sum", true});
+    table.columns.push_back({"interval of the sum"});
     for (Eigen::Index i = 0; i < n; ++i) {
         const studies::form_factors::RowSum& sum = report.matrix.rows[static_cast<std::size_t>(i)];
-        std::vector<TableCell> row{plain_cell(report.scene.faces[static_cast<std::size_t>(i)])};
+        std::vector<TableCell> row{report.scene.faces[static_cast<std::size_t>(i)]};
         for (Eigen::Index j = 0; j < n; ++j) {
-            row.push_back(
-                plain_cell(values(i, j) == 0 && widths(i, j) == 0 ? "0" : to_error(values(i, j), widths(i, j))));
+            row.push_back(values(i, j) == 0 && widths(i, j) == 0 ? "0" : to_error(values(i, j), widths(i, j)));
         }
         const double width = std::max(sum.high - sum.value, sum.value - sum.low);
-        row.push_back(plain_cell(to_error(sum.value, width)));
-        row.push_back(plain_cell(fmt::format("[{}, {}]", to_error(sum.low, width), to_error(sum.high, width))));
+        row.push_back(to_error(sum.value, width));
+        row.push_back(fmt::format("[{}, {}]", to_error(sum.low, width), to_error(sum.high, width)));
         table.rows.push_back(std::move(row));
     }
     return text_table(table, style);
@@ -104,6 +99,18 @@ std::string tolerance_of(const studies::form_factors::Request& request) {
     const std::string absolute = brief(request.tolerance);
     return request.relative > 0 ? fmt::format("{} or {} % of the factor", absolute, brief(100 * request.relative))
                                 : absolute;
+}
+
+std::string repair_text(const FormFactorReport& report) {
+    const auto& repaired = report.matrix.repaired;
+    if (!repaired) return "";
+    if (!repaired->possible) return "\nNo closed reciprocal matrix is near: nothing is repaired.\n";
+    return fmt::format("\nRepaired: row sums off 1 by up to {} before, {} after; largest change {} (F {}-{}); {}.\n",
+                       brief(repaired->closure_before, 2), brief(repaired->closure_after, 2),
+                       brief(repaired->largest_change, 2), report.scene.faces[repaired->from],
+                       report.scene.faces[repaired->to],
+                       repaired->outside == 1 ? "1 entry leaves its interval"
+                                              : fmt::format("{} entries leave their intervals", repaired->outside));
 }
 
 }  // namespace
@@ -136,22 +143,6 @@ std::string form_factors_verdict(const FormFactorReport& report) {
     if (matrix.samples > 0) text += fmt::format(" {} samples.", thousands_apart(matrix.samples));
     return text;
 }
-
-namespace {
-
-std::string repair_text(const FormFactorReport& report) {
-    const auto& repaired = report.matrix.repaired;
-    if (!repaired) return "";
-    if (!repaired->possible) return "\nNo closed reciprocal matrix is near: nothing is repaired.\n";
-    return fmt::format("\nRepaired: row sums off 1 by up to {} before, {} after; largest change {} (F {}-{}); {}.\n",
-                       brief(repaired->closure_before, 2), brief(repaired->closure_after, 2),
-                       brief(repaired->largest_change, 2), report.scene.faces[repaired->from],
-                       report.scene.faces[repaired->to],
-                       repaired->outside == 1 ? "1 entry leaves its interval"
-                                              : fmt::format("{} entries leave their intervals", repaired->outside));
-}
-
-}  // namespace
 
 std::string form_factors_text(const FormFactorReport& report, const TextStyle& style) {
     const auto& [scene, request, matrix] = report;

@@ -55,21 +55,19 @@ Table heat_table(const HeatReport& report, std::size_t most) {
     Table table{"flows",
                 "",
                 "",
-                {{"face", false, {}},
+                {{"face"},
                  {"area", true, light ? "" : "m²"},
                  {light ? "exitance" : "radiosity", true, light ? "" : "W/m²"},
                  {light ? "incident" : "irradiation", true, light ? "" : "W/m²"},
                  {"net", true, light ? "" : "W/m²"},
-                 {"power", true, light ? "" : "W"}},
-                {},
-                {}};
+                 {"power", true, light ? "" : "W"}}};
     if (!light) table.columns.push_back({"temperature", true, "K"});
     for (const std::size_t i : shown_faces(flows, most)) {
         const studies::heat::FaceFlow& flow = flows.faces[i];
-        table.rows.push_back({plain_cell(scene.faces[i]), plain_cell(brief(flow.area, 6)),
-                              plain_cell(with_error(flow.radiosity)), plain_cell(with_error(flow.irradiation)),
-                              plain_cell(with_error(flow.net, at_rest)), plain_cell(with_error(flow.power, at_rest))});
-        if (!light) table.rows.back().push_back(plain_cell(with_error(flow.temperature)));
+        table.rows.push_back({scene.faces[i], brief(flow.area, 6), with_error(flow.radiosity),
+                              with_error(flow.irradiation), with_error(flow.net, at_rest),
+                              with_error(flow.power, at_rest)});
+        if (!light) table.rows.back().push_back(with_error(flow.temperature));
     }
     if (scene.faces.size() > table.rows.size())
         table.remarks.push_back(fmt::format("{} faces of the largest powers, of {}; all are in heat.csv (--out).",

@@ -129,23 +129,18 @@ Table summary_table(const studies::StudyResults& results, const std::set<std::si
     Table table{"summary",
                 "",
                 "",
-                {{"method", false, ""},
-                 {"size (patches per face)", false, ""},
-                 {"trials", true, ""},
+                {{"method"},
+                 {"size (patches per face)"},
+                 {"trials", true},
                  {"parallel", true, "RMSE of a run"},
                  {"adjacent", true, "RMSE of a run"},
-                 {"bias, all pairs together", false, ""}},
-                {},
-                {}};
-    if (equivalence) table.columns.push_back({"equivalence", false, ""});
+                 {"bias, all pairs together"}}};
+    if (equivalence) table.columns.push_back({"equivalence"});
     for (const studies::CellAnalysis& found : results.findings.cells) {
         if (hidden.contains(found.cell)) continue;
-        std::vector<TableCell> row{{scene_and_method(plan, found), Mark::none},
-                                   {size_label(plan, plan.cells[found.cell]), Mark::none},
-                                   {std::to_string(found.trials), Mark::none},
-                                   {rmse(plan, found, PairClass::parallel), Mark::none},
-                                   {rmse(plan, found, PairClass::adjacent), Mark::none},
-                                   {bias_in_words(found), bias_mark(found)}};
+        std::vector<TableCell> row{scene_and_method(plan, found),          size_label(plan, plan.cells[found.cell]),
+                                   std::to_string(found.trials),           rmse(plan, found, PairClass::parallel),
+                                   rmse(plan, found, PairClass::adjacent), {bias_in_words(found), bias_mark(found)}};
         if (found.lost_rays > 0)
             row.back() = {fmt::format("{} rays LOST; {}", found.lost_rays, row.back().text), Mark::bad};
         if (equivalence) row.push_back({equivalence_in_words(found), equivalence_mark(found.equivalence)});

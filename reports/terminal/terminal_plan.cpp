@@ -45,17 +45,17 @@ std::vector<PlanRow> plan_rows(const studies::StudyPlan& plan) {
 
 std::string terminal_plan(const studies::StudyPlan& plan, unsigned threads, const TextStyle& style) {
     const bool several_scenes = plan.scenes.size() > 1;
-    Table table{"plan", "", "", {{"method", false, ""}, {"size", false, ""}}, {}, {}};
-    if (several_scenes) table.columns.push_back({"scenes", true, ""});
-    for (const char* name : {"trials", "samples/trial", "core time"}) table.columns.push_back({name, true, ""});
+    Table table{"plan", "", "", columns({"method", "size"})};
+    if (several_scenes) table.columns.push_back({"scenes", true});
+    for (const char* name : {"trials", "samples/trial", "core time"}) table.columns.push_back({name, true});
     double total = 0;
     for (const PlanRow& row : plan_rows(plan)) {
         total += row.seconds;
-        std::vector<TableCell> cells = {{row.method, Mark::none}, {row.size, Mark::none}};
-        if (several_scenes) cells.push_back({std::to_string(row.scenes), Mark::none});
+        std::vector<TableCell> cells = {row.method, row.size};
+        if (several_scenes) cells.push_back(std::to_string(row.scenes));
         for (const std::string& text :
              {std::to_string(row.trials), std::to_string(row.samples), seconds_in_words(row.seconds)}) {
-            cells.push_back({text, Mark::none});
+            cells.push_back(text);
         }
         table.rows.push_back(std::move(cells));
     }

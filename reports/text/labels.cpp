@@ -51,8 +51,15 @@ std::string size_label(const studies::StudyPlan& plan, const studies::Cell& cell
 }
 
 std::string cell_label(const studies::StudyPlan& plan, const studies::Cell& cell) {
-    const std::string text = fmt::format("{}, {}", plan.spec.methods[cell.method].name, size_label(plan, cell));
-    return plan.scenes.size() == 1 ? text : fmt::format("{}: {}", plan.scenes[cell.scene].name, text);
+    return fmt::format("{}, {}", method_label(plan, cell), size_label(plan, cell));
+}
+
+std::string scene_prefix(const studies::StudyPlan& plan, std::size_t scene) {
+    return plan.scenes.size() == 1 ? std::string() : plan.scenes[scene].name + ": ";
+}
+
+std::string method_label(const studies::StudyPlan& plan, const studies::Cell& cell) {
+    return scene_prefix(plan, cell.scene) + plan.spec.methods[cell.method].name;
 }
 
 std::string of_scene(const studies::StudyPlan& plan, std::size_t scene) {
@@ -84,8 +91,7 @@ std::string on_pairs(const studies::StudyPlan& plan, std::size_t scene, std::str
 }
 
 std::string heading_of(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class) {
-    const std::string where = fmt::format("{} pairs", name(pair_class));
-    return plan.scenes.size() == 1 ? where : fmt::format("{}: {}", plan.scenes[scene].name, where);
+    return fmt::format("{}{} pairs", scene_prefix(plan, scene), name(pair_class));
 }
 
 std::string program_label(const studies::Context& context) {

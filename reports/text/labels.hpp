@@ -23,6 +23,12 @@ std::string size_label(const studies::StudyPlan& plan, const studies::Cell& cell
 /// Method and size; the scene too where the study has several.
 std::string cell_label(const studies::StudyPlan& plan, const studies::Cell& cell);
 
+/// "NAME: " before what is of one scene; empty where the study has no other.
+std::string scene_prefix(const studies::StudyPlan& plan, std::size_t scene);
+
+/// The method; the scene too where the study has several.
+std::string method_label(const studies::StudyPlan& plan, const studies::Cell& cell);
+
 /// " of NAME" after what is of one scene; empty where the study has no other.
 std::string of_scene(const studies::StudyPlan& plan, std::size_t scene);
 

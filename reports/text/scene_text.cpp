@@ -1,5 +1,7 @@
 #include "reports/text/scene_text.hpp"
 
+#include "reports/text/numbers.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,10 +10,6 @@ namespace ff::reports {
 namespace {
 
 constexpr std::size_t most_listed = 12;
-
-std::string plural(std::size_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
 
 /// Lines below a heading, those beyond the most counted.
 std::string listed(std::string_view heading, const std::vector<std::string>& lines, std::size_t most = most_listed) {
@@ -33,7 +31,7 @@ std::string grids_text(const std::vector<Grid>& grids) {
 
 SceneText scene_text(const Scene& scene, const studies::SceneExplanation& explanation) {
     SceneText text;
-    text.summary = fmt::format("{}, {}", plural(scene.surfaces.size(), "surface"), scene.closed ? "closed" : "open");
+    text.summary = fmt::format("{}, {}", counted(scene.surfaces.size(), "surface"), scene.closed ? "closed" : "open");
     if (explanation.occluders > 0)
         text.summary += fmt::format(", {} of them only {} in the way", explanation.occluders,
                                     explanation.occluders == 1 ? "stands" : "stand");
@@ -54,7 +52,7 @@ SceneText scene_text(const Scene& scene, const studies::SceneExplanation& explan
     if (!pairs.empty()) text.details += listed("Exact", pairs);
     if (explanation.unknown_pairs > 0)
         text.details += fmt::format("No exact value: {} that face each other\n",
-                                    plural(explanation.unknown_pairs, pairs.empty() ? "pair" : "other pair"));
+                                    counted(explanation.unknown_pairs, pairs.empty() ? "pair" : "other pair"));
     std::vector<std::string> estimators;
     for (const studies::ExplainedEstimator& estimator : explanation.estimators)
         estimators.push_back(estimator.why_not ? fmt::format("not {}: {}", estimator.name, *estimator.why_not)

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <concepts>
+#include <initializer_list>
 #include <string>
-#include <utility>
+#include <string_view>
 #include <vector>
 
 namespace ff::reports {
@@ -16,22 +18,26 @@ enum class Mark {
     open,  ///< undecided
 };
 
+/// A text, which needs no mark.
 struct TableCell {
     std::string text;
     Mark mark = Mark::none;
-};
 
-/// A cell without a mark.
-inline TableCell plain_cell(std::string text) {
-    return {std::move(text), Mark::none};
-}
+    TableCell() = default;
+    template <std::convertible_to<std::string_view> Text>
+    // NOLINTNEXTLINE(google-explicit-constructor): rows are lists of texts
+    TableCell(const Text& words, Mark its_mark = Mark::none) : text(std::string_view(words)), mark(its_mark) {}
+};
 
 struct TableColumn {
     std::string title;
-    bool number = false;  ///< right-aligned
-    std::string group;    ///< title above those of neighbouring columns with the same group; may be empty
-    bool minor = false;   ///< left out where space is short, together with all of its group
+    bool number = false;     ///< right-aligned
+    std::string group = {};  ///< title above those of neighbouring columns with the same group; may be empty
+    bool minor = false;      ///< left out where space is short, together with all of its group
 };
+
+/// Columns without groups. A title begins with > if the column is one of numbers, and then with ~ if it is minor.
+std::vector<TableColumn> columns(std::initializer_list<std::string_view> titles);
 
 /// A table independent of format: texts, of which the first column names the row.
 struct Table {
@@ -39,8 +45,8 @@ struct Table {
     std::string title;
     std::string note;  ///< what the columns mean; may be empty
     std::vector<TableColumn> columns;
-    std::vector<std::vector<TableCell>> rows;
-    std::vector<std::string> remarks;  ///< sentences below it
+    std::vector<std::vector<TableCell>> rows = {};
+    std::vector<std::string> remarks = {};  ///< sentences below it
 };
 
 /// The table without columns that say nothing: all cells are empty, a dash, or "none known". The first column stays,

@@ -97,8 +97,8 @@ std::string text_table(const Table& table, const TextStyle& style) {
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const TableColumn& column = table.columns[i];
         const bool first = i == 0 || table.columns[i - 1].group != column.group || columns[i].begins_line;
-        groups.push_back({first ? column.group : "", Mark::none});
-        titles.push_back({column.title, Mark::none});
+        groups.push_back(first ? column.group : "");
+        titles.push_back(column.title);
         grouped |= !column.group.empty();
     }
     std::string out = grouped ? row_text(table, columns, groups, style) : std::string();

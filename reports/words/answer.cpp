@@ -231,18 +231,6 @@ std::optional<MainFinding> on_variances(const StudyResults& results) {
                        " Grey ticks: no reduction.");
 }
 
-}  // namespace
-
-MainFinding main_finding(const StudyResults& results) {
-    for (const auto find :
-         {on_light, on_occlusion, on_coverage, on_publication, on_choice, on_configurations, on_rates, on_variances}) {
-        if (auto found = find(results)) return *std::move(found);
-    }
-    return on_errors(results);
-}
-
-namespace {
-
 using studies::StudyResults;
 
 constexpr std::size_t most_clauses = 4;
@@ -268,6 +256,14 @@ std::string sentence(std::vector<std::string> clauses) {
 }
 
 }  // namespace
+
+MainFinding main_finding(const StudyResults& results) {
+    for (const auto find :
+         {on_light, on_occlusion, on_coverage, on_publication, on_choice, on_configurations, on_rates, on_variances}) {
+        if (auto found = find(results)) return *std::move(found);
+    }
+    return on_errors(results);
+}
 
 Answer answer(const StudyResults& results) {
     Answer out{{}, {}, main_finding(results)};

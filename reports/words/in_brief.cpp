@@ -69,6 +69,54 @@ std::string until_in_words(const studies::StudySpec& spec, const studies::UntilO
     return fmt::format("NOT reached: {} pairs have one value in all trials of the pilot", outcome.unjudged);
 }
 
+using studies::VarianceReduction;
+
+/// The size without the scene's or the method's name: two cells of one size are compared.
+std::string scene_and_size(const studies::StudyPlan& plan, const studies::Cell& cell) {
+    const std::string size = size_label(plan, cell);
+    return plan.scenes.size() == 1 ? size : fmt::format("{}, {}", plan.scenes[cell.scene].name, size);
+}
+
+const studies::Method& method_of(const studies::StudyPlan& plan, const VarianceReduction& reduction) {
+    return plan.spec.methods[plan.cells[reduction.cell].method];
+}
+
+/// Beside each method with one sequence a face, the one that differs from it in this only.
+const VarianceReduction* with_a_sequence_a_patch(const studies::StudyResults& results, const VarianceReduction& face) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    const studies::Method& method = method_of(plan, face);
+    if (method.allocation != Allocation::face) return nullptr;
+    const auto found =
+        std::find_if(results.reductions.begin(), results.reductions.end(), [&](const VarianceReduction& r) {
+            const studies::Method& other = method_of(plan, r);
+            return r.random_cell == face.random_cell && r.pair_class == face.pair_class &&
+                   other.sampler == method.sampler && other.allocation == Allocation::patch;
+        });
+    return found == results.reductions.end() ? nullptr : &*found;
+}
+
+/// Whether a larger size of the same ladder says the same again.
+bool is_below_the_top(const studies::StudyResults& results, std::size_t cell) {
+    return std::any_of(results.slopes.begin(), results.slopes.end(), [&](const studies::LadderSlopes& ladder) {
+        const auto& cells = ladder.ladder.cells;
+        return cells.back() != cell && std::find(cells.begin(), cells.end(), cell) != cells.end();
+    });
+}
+
+/// The constants of c/m in one sentence; empty without laws.
+std::vector<std::string> error_laws_in_brief(const studies::StudyResults& results) {
+    std::vector<std::string> laws;
+    if (!results.occlusion.empty()) return laws;  // row sums are not what its scenes are about
+    for (const studies::ErrorLaw& law : results.error_laws) {
+        laws.push_back(fmt::format("{:+.4f} for {}{} (within {} %)", law.first_order.coefficient, law.method,
+                                   law.published ? " as printed" : "",
+                                   brief(100 * law.first_order.largest_residual, 2)));
+    }
+    if (laws.empty()) return {};
+    return {fmt::format("With m patches along an edge the row sums of deterministic methods miss 1 by c/m: c = {}.",
+                        fmt::join(laws, ", "))};
+}
+
 }  // namespace
 
 std::vector<std::string> until_in_brief(const studies::StudyResults& results) {
@@ -107,44 +155,6 @@ std::vector<std::string> one_run_errors_in_brief(const studies::StudyResults& re
                     stats::normal_critical((1 - level) / 2), range, 100 * level)};
 }
 
-namespace {
-
-using studies::VarianceReduction;
-
-/// The size without the scene's or the method's name: two cells of one size are compared.
-std::string scene_and_size(const studies::StudyPlan& plan, const studies::Cell& cell) {
-    const std::string size = size_label(plan, cell);
-    return plan.scenes.size() == 1 ? size : fmt::format("{}, {}", plan.scenes[cell.scene].name, size);
-}
-
-const studies::Method& method_of(const studies::StudyPlan& plan, const VarianceReduction& reduction) {
-    return plan.spec.methods[plan.cells[reduction.cell].method];
-}
-
-/// Beside each method with one sequence a face, the one that differs from it in this only.
-const VarianceReduction* with_a_sequence_a_patch(const studies::StudyResults& results, const VarianceReduction& face) {
-    const studies::StudyPlan& plan = results.findings.plan;
-    const studies::Method& method = method_of(plan, face);
-    if (method.allocation != Allocation::face) return nullptr;
-    const auto found =
-        std::find_if(results.reductions.begin(), results.reductions.end(), [&](const VarianceReduction& r) {
-            const studies::Method& other = method_of(plan, r);
-            return r.random_cell == face.random_cell && r.pair_class == face.pair_class &&
-                   other.sampler == method.sampler && other.allocation == Allocation::patch;
-        });
-    return found == results.reductions.end() ? nullptr : &*found;
-}
-
-/// Whether a larger size of the same ladder says the same again.
-bool is_below_the_top(const studies::StudyResults& results, std::size_t cell) {
-    return std::any_of(results.slopes.begin(), results.slopes.end(), [&](const studies::LadderSlopes& ladder) {
-        const auto& cells = ladder.ladder.cells;
-        return cells.back() != cell && std::find(cells.begin(), cells.end(), cell) != cells.end();
-    });
-}
-
-}  // namespace
-
 std::string factor_text(const VarianceReduction& reduction) {
     return with_ends(reduction.factor, reduction.interval.low, reduction.interval.high);
 }
@@ -170,24 +180,6 @@ std::vector<std::string> reductions_in_brief(const studies::StudyResults& result
     }
     return lines;
 }
-
-namespace {
-
-/// The constants of c/m in one sentence; empty without laws.
-std::vector<std::string> error_laws_in_brief(const studies::StudyResults& results) {
-    std::vector<std::string> laws;
-    if (!results.occlusion.empty()) return laws;  // row sums are not what its scenes are about
-    for (const studies::ErrorLaw& law : results.error_laws) {
-        laws.push_back(fmt::format("{:+.4f} for {}{} (within {} %)", law.first_order.coefficient, law.method,
-                                   law.published ? " as printed" : "",
-                                   brief(100 * law.first_order.largest_residual, 2)));
-    }
-    if (laws.empty()) return {};
-    return {fmt::format("With m patches along an edge the row sums of deterministic methods miss 1 by c/m: c = {}.",
-                        fmt::join(laws, ", "))};
-}
-
-}  // namespace
 
 std::vector<std::string> results_in_brief(const studies::StudyResults& results) {
     std::vector<std::string> all;

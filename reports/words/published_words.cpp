@@ -45,45 +45,6 @@ std::string percentile_text(const stats::Rank& rank) {
     return fmt::format("{:.3g} %", percentile);
 }
 
-}  // namespace
-
-std::string ours_text(const FigureComparison& c, const std::string& printed) {
-    if (!c.ours) return "–";
-    const double unit = studies::half_printed_unit(printed);
-    if (c.deterministic || !c.single_run) return to_error(*c.ours, 20 * unit);
-    const double spread = c.single_run->high - c.single_run->low;
-    if (spread == 0) return fmt::format("{:g} always", *c.ours);
-    return fmt::format("{} [{}, {}]", to_error(*c.ours, spread / 20), to_error(c.single_run->low, spread / 5),
-                       to_error(c.single_run->high, spread / 5));
-}
-
-std::string place_text(const FigureComparison& c, const std::string& printed) {
-    if (!c.ours) return "–";
-    if (c.deterministic) {
-        const double difference = c.printed - *c.ours;
-        return std::abs(difference) <= 2 * studies::half_printed_unit(printed)
-                   ? "equal"
-                   : fmt::format("off by {:+.3g}", difference);
-    }
-    if (c.single_run->low == c.single_run->high) return *c.adjusted_p > 0 ? "equal" : "impossible";
-    return c.z ? fmt::format("z {:+.2f}, {}", *c.z, percentile_text(*c.rank)) : percentile_text(*c.rank);
-}
-
-bool is_surprising(const FigureComparison& c, double alpha) {
-    return c.ours && c.adjusted_p && *c.adjusted_p < alpha;
-}
-
-std::set<std::size_t> blamed_figures(const studies::audit::Report& audit) {
-    std::set<std::size_t> blamed;
-    for (const studies::audit::Finding& finding : audit.findings) {
-        if (finding.severity == studies::audit::Severity::contradiction)
-            blamed.insert(finding.blamed.begin(), finding.blamed.end());
-    }
-    return blamed;
-}
-
-namespace {
-
 std::string surprising_figures(const studies::PublishedResults& published, double alpha) {
     std::size_t sampled = 0;
     std::vector<std::string> surprising;
@@ -111,35 +72,6 @@ std::vector<std::string> claims_in_brief(const studies::PublishedResults& publis
             fmt::format("{}: “{}” {}", studies::name(judged.verdict), judged.claim.statement, judged.evidence));
     return lines;
 }
-
-}  // namespace
-
-std::string claims_sentence(const studies::PublishedResults& published) {
-    const auto count = [&](studies::ClaimVerdict verdict) {
-        return std::count_if(published.claims.begin(), published.claims.end(),
-                             [&](const auto& claim) { return claim.verdict == verdict; });
-    };
-    if (published.claims.size() == 1)
-        return fmt::format("The publication's claim is {}.", studies::name(published.claims.front().verdict));
-    const auto supported = count(studies::ClaimVerdict::supported);
-    const auto printed_only = count(studies::ClaimVerdict::as_printed_only);
-    return fmt::format(
-        "Of the publication's {} claims {} {} supported, {}{} refuted, {} inconclusive.", published.claims.size(),
-        supported, supported == 1 ? "is" : "are",
-        printed_only == 0
-            ? std::string()
-            : fmt::format("{} only by printed figures that the methods as described do not give, ", printed_only),
-        count(studies::ClaimVerdict::refuted), count(studies::ClaimVerdict::inconclusive));
-}
-
-std::vector<std::string> published_in_brief(const studies::PublishedResults& published, double alpha) {
-    if (published.tables.figures.empty()) return claims_in_brief(published);
-    std::vector<std::string> lines{surprising_figures(published, alpha)};
-    if (!published.claims.empty()) lines.push_back(claims_sentence(published));
-    return lines;
-}
-
-namespace {
 
 /// The printed and the computed errors of a deterministic cell on a class of pairs.
 struct PrintedErrors {
@@ -208,6 +140,66 @@ std::string in_words(const studies::StudyResults& results, const PrintedErrors& 
 }
 
 }  // namespace
+
+std::string ours_text(const FigureComparison& c, const std::string& printed) {
+    if (!c.ours) return "–";
+    const double unit = studies::half_printed_unit(printed);
+    if (c.deterministic || !c.single_run) return to_error(*c.ours, 20 * unit);
+    const double spread = c.single_run->high - c.single_run->low;
+    if (spread == 0) return fmt::format("{:g} always", *c.ours);
+    return fmt::format("{} [{}, {}]", to_error(*c.ours, spread / 20), to_error(c.single_run->low, spread / 5),
+                       to_error(c.single_run->high, spread / 5));
+}
+
+std::string place_text(const FigureComparison& c, const std::string& printed) {
+    if (!c.ours) return "–";
+    if (c.deterministic) {
+        const double difference = c.printed - *c.ours;
+        return std::abs(difference) <= 2 * studies::half_printed_unit(printed)
+                   ? "equal"
+                   : fmt::format("off by {:+.3g}", difference);
+    }
+    if (c.single_run->low == c.single_run->high) return *c.adjusted_p > 0 ? "equal" : "impossible";
+    return c.z ? fmt::format("z {:+.2f}, {}", *c.z, percentile_text(*c.rank)) : percentile_text(*c.rank);
+}
+
+bool is_surprising(const FigureComparison& c, double alpha) {
+    return c.ours && c.adjusted_p && *c.adjusted_p < alpha;
+}
+
+std::set<std::size_t> blamed_figures(const studies::audit::Report& audit) {
+    std::set<std::size_t> blamed;
+    for (const studies::audit::Finding& finding : audit.findings) {
+        if (finding.severity == studies::audit::Severity::contradiction)
+            blamed.insert(finding.blamed.begin(), finding.blamed.end());
+    }
+    return blamed;
+}
+
+std::string claims_sentence(const studies::PublishedResults& published) {
+    const auto count = [&](studies::ClaimVerdict verdict) {
+        return std::count_if(published.claims.begin(), published.claims.end(),
+                             [&](const auto& claim) { return claim.verdict == verdict; });
+    };
+    if (published.claims.size() == 1)
+        return fmt::format("The publication's claim is {}.", studies::name(published.claims.front().verdict));
+    const auto supported = count(studies::ClaimVerdict::supported);
+    const auto printed_only = count(studies::ClaimVerdict::as_printed_only);
+    return fmt::format(
+        "Of the publication's {} claims {} {} supported, {}{} refuted, {} inconclusive.", published.claims.size(),
+        supported, supported == 1 ? "is" : "are",
+        printed_only == 0
+            ? std::string()
+            : fmt::format("{} only by printed figures that the methods as described do not give, ", printed_only),
+        count(studies::ClaimVerdict::refuted), count(studies::ClaimVerdict::inconclusive));
+}
+
+std::vector<std::string> published_in_brief(const studies::PublishedResults& published, double alpha) {
+    if (published.tables.figures.empty()) return claims_in_brief(published);
+    std::vector<std::string> lines{surprising_figures(published, alpha)};
+    if (!published.claims.empty()) lines.push_back(claims_sentence(published));
+    return lines;
+}
 
 std::string premise(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
