@@ -1,7 +1,6 @@
 #include "benchmarks/fill_sets.hpp"
 
 #include "studies/outside/outside_code.hpp"
-#include "studies/outside/plugin.hpp"
 
 #include <filesystem>
 #include <fstream>

@@ -5,7 +5,6 @@
 #include "app/terminal/messages.hpp"
 
 #include "core/support/error.hpp"
-#include "studies/outside/plugin.hpp"
 #include "studies/readers/text_file.hpp"
 
 #include <fmt/format.h>

@@ -12,7 +12,6 @@
 #include "reports/pictures/ranking_svg.hpp"
 #include "reports/words/answer.hpp"
 #include "studies/outside/outside_code.hpp"
-#include "studies/outside/plugin.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/results/results.hpp"
 #include "studies/run/run.hpp"

@@ -1,6 +1,5 @@
 #include "studies/outside/outside_code.hpp"
 
-#include "studies/outside/plugin.hpp"
 #include "studies/point_files/file_sampler.hpp"
 #include "studies/readers/toml_reader.hpp"
 

@@ -1,10 +1,9 @@
-#include "studies/outside/plugin.hpp"
-
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
 #include "samplers/outside/added.hpp"
 #include "samplers/outside/outside_points.hpp"
 #include "samplers/point_sets/set_of_rows.hpp"
+#include "studies/outside/outside_code.hpp"
 #include "studies/point_files/content.hpp"
 #include "studies/readers/printable.hpp"
 
