@@ -21,7 +21,7 @@ struct PlacedSurface {
     double area;
 };
 
-std::vector<PlacedSurface> surfaces_of(const Scene& scene, int face) {
+std::vector<PlacedSurface> placed_surfaces(const Scene& scene, int face) {
     std::vector<PlacedSurface> found;
     for (const Surface& surface : scene.surfaces) {
         if (surface.face == face) found.push_back({&surface, box_around(surface), area(surface.shape)});
@@ -87,8 +87,8 @@ template <class Use>
 void for_each_peak(const Scene& scene, int from, int to, Use use) {
     const double from_area = face_area(scene, from);
     const double to_area = face_area(scene, to);
-    const auto targets = surfaces_of(scene, to);
-    for (const PlacedSurface& source : surfaces_of(scene, from)) {
+    const auto targets = placed_surfaces(scene, to);
+    for (const PlacedSurface& source : placed_surfaces(scene, from)) {
         for (const PlacedSurface& target : targets) {
             if (source.surface == target.surface || !face_each_other(*source.surface, *target.surface)) continue;
             const double squared = squared_gap(source, target);
@@ -105,8 +105,8 @@ void for_each_peak(const Scene& scene, int from, int to, Use use) {
 /// far from each other as the farthest are. 0 where a surface is curved.
 double least_factor(const Scene& scene, int from, int to) {
     double sum = 0;
-    const auto targets = surfaces_of(scene, to);
-    for (const PlacedSurface& source : surfaces_of(scene, from)) {
+    const auto targets = placed_surfaces(scene, to);
+    for (const PlacedSurface& source : placed_surfaces(scene, from)) {
         for (const PlacedSurface& target : targets) {
             if (!is_flat(source.surface->shape) || !is_flat(target.surface->shape)) continue;
             const Eigen::Vector3d line = middle(*target.surface) - middle(*source.surface);
@@ -124,12 +124,12 @@ double least_factor(const Scene& scene, int from, int to) {
 }  // namespace
 
 double largest_kernel(const Scene& scene, int from, int to) {
-    const auto sources = surfaces_of(scene, from);
+    const auto sources = placed_surfaces(scene, from);
     const bool is_part_of_sphere =
         from == to && sources.size() == 1 && std::holds_alternative<SphereZone>(sources.front().surface->shape);
     if (is_part_of_sphere) return 1;
     double squared = std::numeric_limits<double>::infinity();
-    for (const PlacedSurface& target : surfaces_of(scene, to)) {
+    for (const PlacedSurface& target : placed_surfaces(scene, to)) {
         for (const PlacedSurface& source : sources) {
             if (face_each_other(*source.surface, *target.surface))
                 squared = std::min(squared, squared_gap(source, target));
