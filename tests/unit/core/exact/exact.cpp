@@ -22,7 +22,6 @@ namespace {
 using test::rectangle;
 using test::same_exchange_area;
 using test::scene_of;
-using test::squared_extent;
 
 struct Reference {
     std::string name;
@@ -53,14 +52,15 @@ TEST(ExactExchangeArea, AgreesWithContourIntegralsAndHowellsCatalogue) {
     for (const auto& [name, from, to, form_factor] : references) {
         const auto exchange = exact_exchange_area(from, to);
         ASSERT_TRUE(exchange) << name;
-        EXPECT_TRUE(same_exchange_area(*exchange, form_factor * area(from.shape), squared_extent(from, to))) << name;
+        EXPECT_TRUE(same_exchange_area(*exchange, form_factor * area(from.shape), test::squared_extent(from, to)))
+            << name;
     }
 }
 
 TEST(ExactFormFactor, IsRightToTheLastDigitsUnlessFacesAreFarApart) {
     for (const auto& [name, from, to, form_factor] : read_references()) {
         const double rounding = 2.3e-16 * form_factor;
-        const double allowed = 1e-18 * squared_extent(from, to) / area(from.shape) + rounding;
+        const double allowed = 1e-18 * test::squared_extent(from, to) / area(from.shape) + rounding;
         EXPECT_NEAR(exact_form_factor(scene_of({from, to}), 0, 1).value(), form_factor, allowed) << name;
     }
 }

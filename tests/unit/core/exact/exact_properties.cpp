@@ -17,7 +17,6 @@ namespace {
 using test::any_box;
 using test::any_rectangle;
 using test::same_exchange_area;
-using test::squared_extent;
 
 /// What may be wrong with a form factor, or a row of them, of `source` in a box: the promised 1e-18 of the squared
 /// extent for each of five exchange areas, and a few roundings to double. Only long and thin boxes come near the first
@@ -82,7 +81,7 @@ RC_GTEST_PROP(ExactExchangeArea, IsReciprocalAndNeverNegative, ()) {
     const Surface to = *any_rectangle();
     RC_CLASSIFY(exchange(from, to) > 0, "facing");
     RC_ASSERT(exchange(from, to) >= 0);
-    RC_ASSERT(same_exchange_area(exchange(from, to), exchange(to, from), squared_extent(from, to)));
+    RC_ASSERT(same_exchange_area(exchange(from, to), exchange(to, from), test::squared_extent(from, to)));
 }
 
 RC_GTEST_PROP(ExactExchangeArea, IsAdditiveUnderSubdivision, ()) {
@@ -93,20 +92,21 @@ RC_GTEST_PROP(ExactExchangeArea, IsAdditiveUnderSubdivision, ()) {
     const Grid of_to{*any_number, *any_number};
     const int parts = static_cast<int>(of_from.parts() * of_to.parts());
     RC_ASSERT(same_exchange_area(exchange(from, to), exchange_of_patches(from, of_from, to, of_to),
-                                 squared_extent(from, to), parts));
+                                 test::squared_extent(from, to), parts));
 }
 
 RC_GTEST_PROP(ExactExchangeArea, NeverExceedsTheSmallerArea, ()) {
     const Surface from = *any_rectangle();
     const Surface to = *any_rectangle();
-    RC_ASSERT(exchange(from, to) <= std::min(area(from.shape), area(to.shape)) + 1e-15 * squared_extent(from, to));
+    RC_ASSERT(exchange(from, to) <=
+              std::min(area(from.shape), area(to.shape)) + 1e-15 * test::squared_extent(from, to));
 }
 
 RC_GTEST_PROP(ExactExchangeArea, DoesNotDependOnPositionOrientationOrHandedness, ()) {
     const Surface from = *any_rectangle();
     const Surface to = *any_rectangle();
     const double expected = exchange(from, to);
-    const double extent = squared_extent(from, to);
+    const double extent = test::squared_extent(from, to);
     const Eigen::Vector3d offset(*rc::gen::inRange(-1000, 1000), *rc::gen::inRange(-1000, 1000), 7);
     RC_ASSERT(
         same_exchange_area(exchange(test::translated(from, offset), test::translated(to, offset)), expected, extent));
@@ -123,7 +123,7 @@ RC_GTEST_PROP(ExactExchangeArea, GrowsAsTheSquareOfTheScene, ()) {
     RC_ASSERT(exchange(test::scaled(from, 1024), test::scaled(to, 1024)) == 1024.0 * 1024.0 * expected);
     const double factor = *rc::gen::inRange(1, 1000) / 16.0;
     RC_ASSERT(same_exchange_area(exchange(test::scaled(from, factor), test::scaled(to, factor)),
-                                 factor * factor * expected, factor * factor * squared_extent(from, to)));
+                                 factor * factor * expected, factor * factor * test::squared_extent(from, to)));
 }
 
 TEST(SameExchangeArea, NoticesADifferenceOfTwoParts) {
