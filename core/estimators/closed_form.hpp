@@ -1,6 +1,11 @@
 #pragma once
 
 #include "core/estimators/estimator.hpp"
+#include "core/exact/exact.hpp"
+#include "core/support/contract.hpp"
+#include "core/visibility/mirrors.hpp"
+
+#include <fmt/format.h>
 
 #include <string>
 
@@ -22,10 +27,20 @@ class ClosedForm {
         .nanoseconds = 1e6,
     };
 
-    static std::string refusal(const EstimatorOptions& options, const Scene& scene);
+    static std::string refusal(const EstimatorOptions& /*options*/, const Scene& scene) {
+        if (exact_form_factors(scene)) return {};
+        return fmt::format(
+            "scene '{}' has no closed form (there is one for rectangles along the axes{}). Use another estimator.",
+            scene.name, mirrors(scene).empty() ? "" : ", and in mirrors of boxes that are not opposite");
+    }
 
     ClosedForm(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
-    void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;
+
+    void observe(const EstimatorTask& /*task*/, Outcome& outcome, PatchTotals& /*totals*/) const {
+        const auto factors = exact_form_factors(*scene_);
+        FF_EXPECT(factors);
+        outcome.estimates = *factors;
+    }
 
   private:
     const Scene* scene_;
