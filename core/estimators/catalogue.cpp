@@ -20,11 +20,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <vector>
 
 namespace ff {
+namespace {
+
+bool has_polygonal_faces(const Scene& scene) {
+    return std::all_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& surface) {
+        return !is_of_face(surface) || std::holds_alternative<Parallelogram>(surface.shape) ||
+               std::holds_alternative<Triangle>(surface.shape);
+    });
+}
+
+}  // namespace
 
 std::span<const EstimatorEntry> estimators() {
     // The only list of estimators.
@@ -70,6 +81,12 @@ std::string refusal_of(const EstimatorInfo& info, const Scene& scene) {
         return fmt::format(
             "{} cannot be used in scene '{}' (something may stand between two of its faces, which the estimator does "
             "not see). Use estimator = \"ray_shooting\" or \"area_kernel\".",
+            info.name, scene.name);
+    }
+    if (info.needs_polygons && !has_polygonal_faces(scene)) {
+        return fmt::format(
+            "{} cannot be used in scene '{}' (not all of its faces are parallelograms and triangles). Use estimator = "
+            "\"ray_shooting\" or \"area_kernel\".",
             info.name, scene.name);
     }
     return {};

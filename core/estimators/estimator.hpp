@@ -8,7 +8,6 @@
 
 #include <Eigen/Core>
 
-#include <compare>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -82,6 +81,7 @@ struct EstimatorInfo {
     bool exact = false;             ///< no error except rounding: a reference, not a competitor
     bool sees_occluders = false;    ///< obstacles between two faces are noticed
     bool sees_reflections = false;  ///< light by way of mirrors is counted
+    bool needs_polygons = false;    ///< faces have to be parallelograms and triangles
     /// Largest value of one evaluation, none being negative; infinite where none is known.
     double largest_value = std::numeric_limits<double>::infinity();
     std::string_view evaluations = "evaluations";  ///< what is counted as its work

@@ -24,6 +24,7 @@ class AdaptiveContour {
         .reference = "piessens1983",
         .points = PointsServe::pairs,
         .own_points = true,
+        .needs_polygons = true,
         .nanoseconds = 200,
     };
 

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <array>
 #include <numbers>
 #include <vector>
@@ -83,7 +82,6 @@ std::string Contour::refusal(const EstimatorOptions& options, const Scene& scene
 }
 
 std::string Contour::refusal_for(std::string_view estimator, const EstimatorOptions& /*options*/, const Scene& scene) {
-    if (!has_polygonal_faces(scene)) return refuse_curved_faces(estimator, scene);
     if (is_convex(scene)) return {};
     return fmt::format(
         "{} cannot be used in scene '{}' (some of its surfaces lie behind the plane of another). Use estimator = "

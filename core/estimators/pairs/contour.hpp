@@ -23,6 +23,7 @@ class Contour {
         .reference = "sparrow1963",
         .dimension = 2,
         .points = PointsServe::pairs,
+        .needs_polygons = true,
         .nanoseconds = 200,
         .integrands = {.apart = Integrand::smooth, .adjacent = Integrand::rough},
     };

@@ -47,10 +47,6 @@ double hidden(const PatchPair& pair, const SurfacePoint& from, const SurfacePoin
 ControlVariate::ControlVariate(const Scene& scene, TracerChoice /*tracer*/)
     : scene_(&scene), unoccluded_(unoccluded_factors(scene)) {}
 
-std::string ControlVariate::refusal(const EstimatorOptions& /*options*/, const Scene& scene) {
-    return refuse_curved_faces(info.name, scene);
-}
-
 std::optional<Integrand> ControlVariate::integrand(const EstimatorOptions& /*options*/, PairClass pair_class,
                                                    Hiding hiding) {
     if (hiding == Hiding::none) return std::nullopt;

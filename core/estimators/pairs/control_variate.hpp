@@ -23,10 +23,10 @@ class ControlVariate {
         .dimension = 4,
         .points = PointsServe::pairs,
         .sees_occluders = true,
+        .needs_polygons = true,
         .nanoseconds = 60,
     };
 
-    static std::string refusal(const EstimatorOptions& options, const Scene& scene);
     /// The integrand jumps at the edge of a shadow; without a shadow there is no error.
     static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
     static bool finite_variance(const EstimatorOptions& options, const Scene& scene, int from, int to);

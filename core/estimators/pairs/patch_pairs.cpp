@@ -5,7 +5,6 @@
 #include "core/visibility/mirrors.hpp"
 #include "core/visibility/occlusion.hpp"
 
-#include <fmt/format.h>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -75,21 +74,6 @@ Eigen::MatrixXd average_over_pairs(const Scene& scene, const EstimatorTask& task
         return {total, 0};
     };
     return average_pair_values(scene, task, value, pairs).factors;
-}
-
-bool has_polygonal_faces(const Scene& scene) {
-    return std::all_of(scene.surfaces.begin(), scene.surfaces.end(), [](const Surface& surface) {
-        return !is_of_face(surface) || std::holds_alternative<Parallelogram>(surface.shape) ||
-               std::holds_alternative<Triangle>(surface.shape);
-    });
-}
-
-std::string refuse_curved_faces(std::string_view estimator, const Scene& scene) {
-    if (has_polygonal_faces(scene)) return {};
-    return fmt::format(
-        "{} cannot be used in scene '{}' (not all of its faces are parallelograms and triangles). Use estimator = "
-        "\"ray_shooting\" or \"area_kernel\".",
-        estimator, scene.name);
 }
 
 }  // namespace ff

@@ -71,10 +71,4 @@ using PairSum = std::function<double(const PatchPair& pair, const WeightedBlock&
 Eigen::MatrixXd average_over_pairs(const Scene& scene, const EstimatorTask& task, std::size_t dimension,
                                    const PairSum& sum, PairsOf pairs = PairsOf::all);
 
-/// Whether every surface that belongs to a face is a parallelogram or a triangle.
-bool has_polygonal_faces(const Scene& scene);
-
-/// Why an estimator for such scenes refuses another one; empty where it does not.
-std::string refuse_curved_faces(std::string_view estimator, const Scene& scene);
-
 }  // namespace ff

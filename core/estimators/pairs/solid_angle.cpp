@@ -3,7 +3,6 @@
 #include "core/estimators/pairs/patch_pairs.hpp"
 #include "core/estimators/pairs/spherical_rectangle.hpp"
 #include "core/geometry/unit_circle.hpp"
-#include "core/visibility/facing.hpp"
 #include "core/visibility/occlusion.hpp"
 
 #include <Eigen/Geometry>
@@ -127,10 +126,6 @@ Vector3d direction_in(const SphericalTriangle& triangle, double s, double t) {
     const double versed = 0.5 * chord.squaredNorm();
     if (!(versed > 0)) return b;
     return along_arc(b, arc_direction(b, end), t * versed);
-}
-
-std::string SolidAngle::refusal(const EstimatorOptions& /*options*/, const Scene& scene) {
-    return refuse_curved_faces(info.name, scene);
 }
 
 void SolidAngle::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {

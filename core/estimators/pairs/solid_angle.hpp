@@ -41,13 +41,13 @@ class SolidAngle {
         .dimension = 4,
         .points = PointsServe::pairs,
         .sees_occluders = true,
+        .needs_polygons = true,
         .largest_value = 2,
         .nanoseconds = 150,
         // It has kinks where one triangle meets the other.
         .integrands = {.apart = Integrand::rough, .adjacent = Integrand::rough},
     };
 
-    static std::string refusal(const EstimatorOptions& options, const Scene& scene);
     static constexpr auto largest_unmet = &largest_unmet_factor;
 
     SolidAngle(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}

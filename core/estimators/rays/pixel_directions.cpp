@@ -1,6 +1,5 @@
 #include "core/estimators/rays/pixel_directions.hpp"
 
-#include "core/estimators/pairs/patch_pairs.hpp"
 #include "core/estimators/rays/ray_shooting.hpp"
 #include "core/geometry/placement.hpp"
 #include "core/visibility/mirrors.hpp"
@@ -72,9 +71,8 @@ Eigen::MatrixXd PixelProjection::factors(Subdivision subdivision, const PixelDir
     return factors;
 }
 
-std::string PixelProjection::refusal(std::string_view estimator, const EstimatorOptions& options, const Scene& scene) {
-    std::string curved = refuse_curved_faces(estimator, scene);
-    return curved.empty() ? RayShooting::refusal(options, scene) : curved;
+std::string PixelProjection::refusal(const EstimatorOptions& options, const Scene& scene) {
+    return RayShooting::refusal(options, scene);
 }
 
 double PixelProjection::nanoseconds(const EstimatorOptions& options, const Scene& scene) {

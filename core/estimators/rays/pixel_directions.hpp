@@ -40,7 +40,7 @@ class PixelProjection {
     /// Form factors between faces: for each patch, the sum over the pixels that show the other face.
     [[nodiscard]] Eigen::MatrixXd factors(Subdivision subdivision, const PixelDirections& pixels) const;
 
-    static std::string refusal(std::string_view estimator, const EstimatorOptions& options, const Scene& scene);
+    static std::string refusal(const EstimatorOptions& options, const Scene& scene);
     static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
 
   protected:
@@ -59,6 +59,7 @@ constexpr EstimatorInfo projection(EstimatorInfo info) {
     info.has_tracer = true;
     info.sees_occluders = true;
     info.sees_reflections = true;
+    info.needs_polygons = true;
     info.evaluations = "pixels";
     return info;
 }
@@ -78,9 +79,6 @@ class ByPixels : public PixelProjection {
   public:
     using PixelProjection::PixelProjection;
 
-    static std::string refusal(const EstimatorOptions& options, const Scene& scene) {
-        return PixelProjection::refusal(Projection::info.name, options, scene);
-    }
     static std::string size_problem(std::uint64_t samples) {
         const std::uint64_t finest = finest_resolution(&Projection::count, samples);
         const std::uint64_t below = Projection::count(finest);

@@ -105,8 +105,9 @@ TEST(SolidAngle, RefusesCurvedFaces) {
     scene.name = "discs";
     scene.faces = {"a"};
     scene.surfaces = {{Disc{{0, 0, 0}, 0, 1}, {0, 0, 1}, 0}};
-    EXPECT_NE(SolidAngle::refusal({}, scene).find("not all of its faces are parallelograms and triangles"),
-              std::string::npos);
+    EXPECT_NE(
+        find_estimator("solid_angle").refusal({}, scene).find("not all of its faces are parallelograms and triangles"),
+        std::string::npos);
 }
 
 }  // namespace
