@@ -1,6 +1,5 @@
 #include "core/estimators/rays/pixel_directions.hpp"
 
-#include "core/estimators/rays/ray_shooting.hpp"
 #include "core/geometry/placement.hpp"
 #include "core/visibility/mirrors.hpp"
 
@@ -69,10 +68,6 @@ Eigen::MatrixXd PixelProjection::factors(Subdivision subdivision, const PixelDir
         }
     }
     return factors;
-}
-
-std::string PixelProjection::refusal(const EstimatorOptions& options, const Scene& scene) {
-    return RayShooting::refusal(options, scene);
 }
 
 double PixelProjection::nanoseconds(const EstimatorOptions& options, const Scene& scene) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/estimators/estimator.hpp"
+#include "core/estimators/rays/ray_shooting.hpp"
 
 #include <Eigen/Core>
 
@@ -40,7 +40,7 @@ class PixelProjection {
     /// Form factors between faces: for each patch, the sum over the pixels that show the other face.
     [[nodiscard]] Eigen::MatrixXd factors(Subdivision subdivision, const PixelDirections& pixels) const;
 
-    static std::string refusal(const EstimatorOptions& options, const Scene& scene);
+    static constexpr auto refusal = &RayShooting::refusal;
     static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
 
   protected:
