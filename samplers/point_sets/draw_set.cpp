@@ -20,15 +20,22 @@ PointSet draw_set(const CatalogueEntry& sampler, const DrawnSet& wanted) {
     const Stream stream{.key = derive_key(Seed{wanted.seed}, fmt::format("points|{}|d={}|n={}", info.name,
                                                                          wanted.dimension, wanted.points)),
                         .trial = wanted.trial};
-    PointSet set{wanted.points, wanted.dimension, 1, {}};
-    set.coordinate.resize(wanted.points * wanted.dimension);
+    return {wanted.points, wanted.dimension, 1, coordinates_of_set(*source, wanted.dimension, stream)};
+}
+
+std::vector<std::uint32_t> coordinates_of_set(const PointSource& source, std::size_t dimension, const Stream& stream,
+                                              std::size_t part) {
+    const std::uint64_t points = source.points();
+    std::vector<std::uint32_t> coordinates(points * dimension);
     PointBlock block;
-    block.dimension = wanted.dimension;
-    for_each_block(*source, stream, 0, wanted.points, block, [&](PointIndex first) {
-        for (std::size_t d = 0; d < wanted.dimension; ++d)
-            std::copy_n(block.coordinate[d].begin(), block.size, &set.coordinate[d * wanted.points + first]);
-    });
-    return set;
+    block.dimension = dimension;
+    for (PointIndex first = 0; first < points; first += block.size) {
+        block.size = std::min<std::uint64_t>(part, points - first);
+        source.fill(stream, first, block);
+        for (std::size_t d = 0; d < dimension; ++d)
+            std::copy_n(block.coordinate[d].begin(), block.size, &coordinates[d * points + first]);
+    }
+    return coordinates;
 }
 
 }  // namespace ff::samplers

@@ -1,4 +1,4 @@
-#include "studies/sampler_checks/repeated_sets.hpp"
+#include "studies/sampler_checks/structure_checks.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 #include "studies/sampler_checks/sampler_checks.hpp"
 
 #include "core/support/error.hpp"
+#include "samplers/point_sets/draw_set.hpp"
 #include "samplers/point_sets/net_parameter.hpp"
 #include "stats/basics/moments.hpp"
 #include "stats/dependence/serial_correlation.hpp"
@@ -8,9 +9,6 @@
 #include "stats/error_rates/power.hpp"
 #include "stats/goodness_of_fit/chi_squared.hpp"
 #include "stats/means/mean_test.hpp"
-#include "studies/sampler_checks/drawn_trials.hpp"
-#include "studies/sampler_checks/repeated_sets.hpp"
-#include "studies/sampler_checks/structure_checks.hpp"
 
 #include <fmt/format.h>
 
@@ -32,31 +30,15 @@ constexpr double worst_correlation = 0.5;  // of successive trials
 
 constexpr double rounding_of_means = 1e-9;  // of coordinates to 32 bits, and of sums
 
-std::vector<std::uint32_t> row_of(const PointSource& source, std::size_t dimension, const Stream& stream,
-                                  std::size_t part) {
-    const std::uint64_t points = source.points();
-    std::vector<std::uint32_t> rows(points * dimension);
-    PointBlock block;
-    block.dimension = dimension;
-    for (PointIndex first = 0; first < points; first += block.size) {
-        block.size = std::min<std::uint64_t>(part, points - first);
-        source.fill(stream, first, block);
-        for (std::size_t d = 0; d < dimension; ++d)
-            std::copy_n(block.coordinate[d].begin(), block.size,
-                        rows.begin() + static_cast<std::ptrdiff_t>(d * points + first));
-    }
-    return rows;
-}
-
 SamplerCheck same_bits(const samplers::CatalogueEntry& sampler, const samplers::PointSetSpec& spec, StreamKey key) {
     const auto once = sampler.make(spec);
     const auto again = sampler.make(spec);
     for (std::uint32_t trial = 0; trial < 3; ++trial) {
         const Stream stream{.key = key, .trial = trial};
-        const auto whole = row_of(*once, spec.dimension, stream, block_capacity);
+        const auto whole = samplers::coordinates_of_set(*once, spec.dimension, stream);
         for (const std::size_t part : {std::size_t{1000}, std::size_t{37}, std::size_t{1}}) {
             if (whole.size() > 1u << 16 && part == 1) continue;
-            const auto other = row_of(*again, spec.dimension, stream, part);
+            const auto other = samplers::coordinates_of_set(*again, spec.dimension, stream, part);
             const auto [a, b] = std::mismatch(whole.begin(), whole.end(), other.begin());
             if (a == whole.end()) continue;
             const auto at = static_cast<std::uint64_t>(a - whole.begin());
@@ -78,7 +60,7 @@ std::optional<SamplerCheck> keeps_sizes(const samplers::CatalogueEntry& sampler,
     const auto source = sampler.make(spec);
     samplers::PointSet set{spec.points, 1, 1, {}};
     for (std::uint32_t trial = 0; trial < 10; ++trial) {
-        const auto rows = row_of(*source, spec.dimension, {.key = key, .trial = trial}, block_capacity);
+        const auto rows = samplers::coordinates_of_set(*source, spec.dimension, {.key = key, .trial = trial});
         for (std::size_t d = 0; d < spec.dimension; ++d) {
             const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(d * spec.points);
             set.coordinate.assign(begin, begin + static_cast<std::ptrdiff_t>(spec.points));

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "samplers/sampler.hpp"
-#include "studies/sampler_checks/promises.hpp"
-#include "studies/sampler_checks/sampler_verdict.hpp"
+#include "studies/sampler_checks/structure_checks.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -105,20 +105,13 @@ StructureEvidence draw_structure(const PointSource& source, std::size_t dimensio
     const std::uint64_t n = source.points();
     const std::uint64_t affordable = std::clamp<std::uint64_t>(usual_points / n, 2, most_sets);
     const std::uint64_t sets = evidence.randomised ? std::min(trials, affordable) : 1;
-    evidence.drawn = {n, dimension, sets, std::vector<std::uint32_t>(sets * dimension * n)};
-    PointBlock block;
-    block.dimension = dimension;
-    for (std::uint64_t set = 0; set < sets; ++set) {
-        const Stream stream{.key = key, .trial = static_cast<std::uint32_t>(set)};
-        for (PointIndex first = 0; first < n; first += block.size) {
-            block.size = std::min<std::uint64_t>(block_capacity, n - first);
-            source.fill(stream, first, block);
-            for (std::size_t d = 0; d < dimension; ++d)
-                std::copy_n(block.coordinate[d].begin(), block.size,
-                            &evidence.drawn.coordinate[(set * dimension + d) * n + first]);
-        }
-        evidence.sets.push_back(structure_of(evidence.drawn, set, base));
+    evidence.drawn = {n, dimension, sets, {}};
+    evidence.drawn.coordinate.reserve(sets * dimension * n);
+    for (std::uint32_t set = 0; set < sets; ++set) {
+        const auto drawn = samplers::coordinates_of_set(source, dimension, {.key = key, .trial = set});
+        evidence.drawn.coordinate.insert(evidence.drawn.coordinate.end(), drawn.begin(), drawn.end());
     }
+    for (std::uint64_t set = 0; set < sets; ++set) evidence.sets.push_back(structure_of(evidence.drawn, set, base));
     return evidence;
 }
 

@@ -2,13 +2,23 @@
 
 #include "studies/sampler_checks/drawn_trials.hpp"
 #include "studies/sampler_checks/promises.hpp"
-#include "studies/sampler_checks/sampler_verdict.hpp"
 #include "studies/sampler_checks/structure.hpp"
 
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace ff::studies {
+
+enum class SamplerVerdict { pass, fail, inconclusive, note };
+
+/// One requirement on a sampler, or one thing that its points show.
+struct SamplerCheck {
+    std::string name;
+    SamplerVerdict verdict = SamplerVerdict::pass;
+    std::string found;
+};
 
 /// Whole sets of a sampler, and what was counted over all trials.
 struct StructureEvidence {
@@ -40,5 +50,13 @@ std::vector<SamplerCheck> doubt_values(const StructureEvidence& evidence, const 
 /// Sets of a randomised sampler that are nearly a Latin hypercube, partly one, or one or a net that a shift modulo 1
 /// has broken: inconclusive. A note where the sampler is not randomised and its set is nearly a Latin hypercube.
 std::vector<SamplerCheck> doubt_structure(const StructureEvidence& evidence);
+
+/// Probability that independent trials fail the check below.
+inline constexpr double risk_of_repeats = 1e-6;
+
+/// Whether sets come back after a fixed number of trials, as those of a generator that is started again do. Sets that
+/// come back at different distances are no fault: a sampler may have only a few.
+/// @param fingerprints  of the sets of all trials, whatever the order of their points
+SamplerCheck check_repeated_sets(std::span<const std::uint64_t> fingerprints);
 
 }  // namespace ff::studies

@@ -150,17 +150,17 @@ std::optional<SamplerCheck> shifted_net(const StructureEvidence& evidence) {
 
 std::vector<SamplerCheck> doubt_structure(const StructureEvidence& evidence) {
     std::vector<SamplerCheck> doubts;
-    if (auto doubt = nearly_latin(evidence)) doubts.push_back(std::move(*doubt));
-    if (auto doubt = part_of_latin(evidence)) doubts.push_back(std::move(*doubt));
+    const auto add = [&](std::optional<SamplerCheck> doubt) {
+        if (doubt) doubts.push_back(std::move(*doubt));
+    };
+    add(nearly_latin(evidence));
+    add(part_of_latin(evidence));
     if (!evidence.randomised) return doubts;
-    if (auto doubt = shifted_slices(evidence)) doubts.push_back(std::move(*doubt));
+    add(shifted_slices(evidence));
     if (doubts.empty() && evidence.drawn.points >= least_points) {
-        for (std::size_t d = 0; d < evidence.slices.size(); ++d)
-            if (auto doubt = partly_random(evidence, d)) doubts.push_back(std::move(*doubt));
+        for (std::size_t d = 0; d < evidence.slices.size(); ++d) add(partly_random(evidence, d));
     }
-    if (evidence.base == 2) {
-        if (auto doubt = shifted_net(evidence)) doubts.push_back(std::move(*doubt));
-    }
+    if (evidence.base == 2) add(shifted_net(evidence));
     return doubts;
 }
 
