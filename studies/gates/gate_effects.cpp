@@ -9,6 +9,7 @@
 #include "studies/gates/gate_experiment.hpp"
 #include "studies/theory/known_variance.hpp"
 #include "studies/theory/sr_distribution.hpp"
+#include "studies/verdicts/at_gate.hpp"
 
 #include <fmt/format.h>
 
@@ -17,10 +18,6 @@
 
 namespace ff::studies::gates {
 namespace {
-
-[[noreturn]] void refuse(const std::string& place, const std::string& problem) {
-    throw UserError(fmt::format("{}: {}", place, problem));
-}
 
 std::string pair_text(const Scene& scene, Quantity pair) {
     return fmt::format("{}-{}", scene.faces[static_cast<std::size_t>(pair.from - 1)],
@@ -50,10 +47,11 @@ std::vector<Quantity> selected_pairs(const Gate& gate, const Scene& scene) {
     for (const Quantity pair : distinct_pairs(scene.faces.size(), Completion::direct))
         texts.push_back(pair_text(scene, pair));
     const std::vector<std::string_view> known(texts.begin(), texts.end());
-    refuse(gate.pairs_place,
-           fmt::format("pairs = '{}' (scene '{}' has none of these). {}Write \"all\", \"parallel\", \"adjacent\", or "
-                       "faces as \"{}\".",
-                       fmt::join(gate.pairs, "', '"), scene.name, did_you_mean(gate.pairs.front(), known), texts[4]));
+    throw UserError(
+        fmt::format("{}: pairs = '{}' (scene '{}' has none of these). {}Write \"all\", \"parallel\", \"adjacent\", or "
+                    "faces as \"{}\".",
+                    gate.pairs_place, fmt::join(gate.pairs, "', '"), scene.name,
+                    did_you_mean(gate.pairs.front(), known), texts[4]));
 }
 
 std::vector<Quantity> quantities_of(const Gate& gate, const Scene& scene) {
@@ -76,28 +74,28 @@ void expect_possible(const Gate& gate, const StudyPlan& plan) {
     const bool deterministic = plan.cells.front().deterministic;
     const bool shoots = estimator_info(method).observes == Observes::hits;
     if (deterministic && needs_spread(gate.kind))
-        refuse(gate.place, fmt::format("a gate of kind \"{}\" needs trials that differ (this method is deterministic). "
-                                       "Take a randomised sampler, or kind = \"bias\".",
-                                       name(gate.kind)));
+        refuse_gate(gate, fmt::format("a gate of kind \"{}\" needs trials that differ (this method is deterministic). "
+                                      "Take a randomised sampler, or kind = \"bias\".",
+                                      name(gate.kind)));
     if (gate.kind == GateKind::reciprocity && method.completion == Completion::reciprocal)
-        refuse(gate.place,
-               R"(reciprocity (completion = "reciprocal" makes it hold by itself). Take completion = "direct".)");
+        refuse_gate(gate,
+                    R"(reciprocity (completion = "reciprocal" makes it hold by itself). Take completion = "direct".)");
     if (gate.kind == GateKind::lost_rays && !shoots)
-        refuse(gate.place, "lost_rays (this estimator shoots none). Take estimator = \"ray_shooting\".");
+        refuse_gate(gate, "lost_rays (this estimator shoots none). Take estimator = \"ray_shooting\".");
     if (gate.kind == GateKind::lost_rays && !plan.scenes.front().closed)
-        refuse(gate.place, "lost_rays (in an open scene rays may leave). Take a closed scene.");
+        refuse_gate(gate, "lost_rays (in an open scene rays may leave). Take a closed scene.");
     const bool independent = shoots && samplers::find(method.sampler).info.independent();
     if (gate.kind == GateKind::lost_rays && gate.band.high > 0 && !independent)
-        refuse(gate.place, "band above 0 (the exact interval wants independent rays). Take band = 0.");
+        refuse_gate(gate, "band above 0 (the exact interval wants independent rays). Take band = 0.");
     if (gate.kind == GateKind::coverage && is_binomial(gate.interval) && !independent)
-        refuse(gate.place, fmt::format("interval = \"{}\" (it is for hits of independent rays). Take a sampler with "
-                                       "independent points and estimator = \"ray_shooting\".",
-                                       name(gate.interval)));
+        refuse_gate(gate, fmt::format("interval = \"{}\" (it is for hits of independent rays). Take a sampler with "
+                                      "independent points and estimator = \"ray_shooting\".",
+                                      name(gate.interval)));
     if (gate.kind == GateKind::bias && gate.against == Against::number && gate.pairs.size() == 1 &&
         gate.pairs.front() == "all")
-        refuse(gate.place, "reference (one number for all pairs). Name the pair, as pairs = \"1-6\".");
+        refuse_gate(gate, "reference (one number for all pairs). Name the pair, as pairs = \"1-6\".");
     if (gate.kind == GateKind::slope && method.sizes.size() < 2)
-        refuse(gate.place, "a slope needs a ladder (one size gives none). Write samples_per_patch = [64, 256, 1024].");
+        refuse_gate(gate, "a slope needs a ladder (one size gives none). Write samples_per_patch = [64, 256, 1024].");
 }
 
 void expect_finite(const Gate& gate, const Scene& scene, Quantity quantity) {
@@ -110,9 +108,9 @@ void expect_finite(const Gate& gate, const Scene& scene, Quantity quantity) {
     const std::string what = quantity.kind == QuantityKind::form_factor
                                  ? "pair " + pair_text(scene, quantity)
                                  : fmt::format("the sum of face {}", quantity.from);
-    refuse(gate.place, fmt::format("{} (its variance is infinite, and no number of trials can decide). Take pairs = "
-                                   "\"parallel\", map = \"graded\" or another estimator.",
-                                   what));
+    refuse_gate(gate, fmt::format("{} (its variance is infinite, and no number of trials can decide). Take pairs = "
+                                  "\"parallel\", map = \"graded\" or another estimator.",
+                                  what));
 }
 
 /// Exact moments of one trial of ray shooting with independent rays.
@@ -127,18 +125,19 @@ std::optional<SrDistribution> known_distribution(const Gate& gate, const Scene& 
 void expect_references(const Gate& gate, const Effect& effect) {
     const bool spread = gate.kind == GateKind::std || gate.kind == GateKind::rmse;
     if (spread && gate.against == Against::exact && !effect.sigma)
-        refuse(gate.place,
-               fmt::format("reference missing (the exact standard deviation is known for independent rays in "
-                           "an empty box only). Add reference = a number, or \"baseline\"."));
+        refuse_gate(gate,
+                    fmt::format("reference missing (the exact standard deviation is known for independent rays in "
+                                "an empty box only). Add reference = a number, or \"baseline\"."));
     const bool truth = (gate.kind == GateKind::bias && gate.against == Against::exact) ||
                        gate.kind == GateKind::closure || gate.kind == GateKind::rmse ||
                        gate.kind == GateKind::coverage || gate.kind == GateKind::slope;
     if (gate.kind == GateKind::closure && !effect.truth)
-        refuse(gate.place,
-               "closure (the scene is open: rows need not sum to 1, and what they sum to is not known). Take a closed "
-               "scene.");
+        refuse_gate(
+            gate,
+            "closure (the scene is open: rows need not sum to 1, and what they sum to is not known). Take a closed "
+            "scene.");
     if (truth && !effect.truth)
-        refuse(gate.place, "no exact value is known for this scene. Add reference = a number, or \"baseline\".");
+        refuse_gate(gate, "no exact value is known for this scene. Add reference = a number, or \"baseline\".");
 }
 
 }  // namespace

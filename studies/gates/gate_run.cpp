@@ -1,7 +1,6 @@
 #include "studies/gates/gate_run.hpp"
 
 #include "core/support/contract.hpp"
-#include "studies/gates/gate_comparison.hpp"
 
 #include <fmt/format.h>
 

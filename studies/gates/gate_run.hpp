@@ -4,8 +4,14 @@
 #include "studies/verdicts/gate_result.hpp"
 
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace ff::studies::gates {
+
+/// Every effect of a gate judged on the trials so far. Pure.
+/// @param estimates  of the plan's cells, in their order
+std::vector<Comparison> compare(const Gate& gate, const Plan& plan, std::span<const CellEstimates> estimates);
 
 /// Runs a gate whose trials are planned, look by look until it is decided, at most as often as the file says.
 /// The result depends on the file and the seed alone.
