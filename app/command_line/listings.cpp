@@ -7,7 +7,6 @@
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
 #include "samplers/outside/added.hpp"
-#include "studies/explain/controls.hpp"
 #include "studies/explain/descriptions.hpp"
 
 #include <fmt/format.h>

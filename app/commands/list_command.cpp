@@ -12,7 +12,6 @@
 #include "core/support/nearest_name.hpp"
 #include "reports/text/scene_text.hpp"
 #include "samplers/outside/added.hpp"
-#include "studies/explain/controls.hpp"
 #include "studies/explain/descriptions.hpp"
 #include "studies/explain/scene_explanation.hpp"
 #include "studies/outside/outside_code.hpp"

@@ -14,6 +14,11 @@ struct Judgement {
     bool as_printed_only = false;  ///< see JudgedClaim
 };
 
+/// Of the claim that what lies from `low` to `high` is above a number.
+inline ClaimVerdict is_above(double low, double high, double number) {
+    return low > number ? ClaimVerdict::supported : high < number ? ClaimVerdict::refuted : ClaimVerdict::inconclusive;
+}
+
 /// The verdict where the study has no trials for a claim.
 Judgement not_in_study();
 
@@ -44,8 +49,7 @@ Judgement judge_count(const ClaimEvidence& evidence, const PublishedClaim& claim
 Judgement judge_not_always_smaller(const ClaimEvidence& evidence, const PublishedClaim& claim);
 Judgement judge_uniform(const ClaimEvidence& evidence, const PublishedClaim& claim);
 Judgement judge_nonuniform(const ClaimEvidence& evidence, const PublishedClaim& claim);
-
-// Errors that a method claims of itself (studies/claims/claim_errors.cpp).
+/// By the errors that a method claims of itself.
 Judgement judge_claimed_errors_hold(const ClaimEvidence& evidence, const PublishedClaim& claim);
 
 }  // namespace ff::studies

@@ -72,10 +72,7 @@ Judgement judge_not_always_falling(const ClaimEvidence& evidence, const Publishe
     if (falling(errors) == ClaimVerdict::supported)
         text += " So it is chance: the mean error falls with every subdivision.";
     // "Not always" wants an event that really happens: more than one run in twenty.
-    const auto verdict = least > 0.05  ? ClaimVerdict::supported
-                         : most < 0.05 ? ClaimVerdict::refuted
-                                       : ClaimVerdict::inconclusive;
-    return {verdict, text};
+    return {is_above(least, most, 0.05), text};
 }
 
 }  // namespace ff::studies

@@ -2,6 +2,7 @@
 
 #include "stats/basics/quantiles.hpp"
 #include "studies/analysis/pair_spreads.hpp"
+#include "studies/diagnostics/claimed_errors.hpp"
 
 #include <fmt/format.h>
 
@@ -100,10 +101,8 @@ Judgement judge_not_always_smaller(const ClaimEvidence& evidence, const Publishe
         const Share share =
             share_of(static_cast<std::size_t>(some), counts.size(), evidence.findings().plan.spec.level);
         // "Not always" wants an event that really happens: more than one run in twenty.
-        const auto verdict = share.interval.low > 0.05    ? ClaimVerdict::supported
-                             : share.interval.high < 0.05 ? ClaimVerdict::refuted
-                                                          : ClaimVerdict::inconclusive;
-        return {verdict, fmt::format("{} has the larger error on some pair in {}", claim.methods[0], percent(share))};
+        return {is_above(share.interval.low, share.interval.high, 0.05),
+                fmt::format("{} has the larger error on some pair in {}", claim.methods[0], percent(share))};
     });
 }
 
@@ -159,15 +158,36 @@ Judgement judge_nonuniform(const ClaimEvidence& evidence, const PublishedClaim& 
     const double level = evidence.findings().plan.spec.level;
     const auto range = stats::central_range(ratios, level);
     Judgement judgement;
-    judgement.verdict = range->low > 1.5    ? ClaimVerdict::supported
-                        : range->high < 1.5 ? ClaimVerdict::refuted
-                                            : ClaimVerdict::inconclusive;
+    judgement.verdict = is_above(range->low, range->high, 1.5);
     judgement.evidence = fmt::format(
         "Within one run the largest r.e. of the {} adjacent pairs is {:.2f} to {:.2f} times their mean ({:g} % of "
         "runs).",
         pairs.size(), range->low, range->high, 100 * level);
     judgement.evidence += hardest_and_easiest(evidence, cells.front(), pairs);
     return judgement;
+}
+
+Judgement judge_claimed_errors_hold(const ClaimEvidence& evidence, const PublishedClaim& claim) {
+    const auto cells = evidence.cells(claim, 0);
+    std::uint64_t claims = 0;
+    std::uint64_t held = 0;
+    double largest = 0;
+    for (const ClaimedErrors& found : judge_claimed_errors(evidence.store())) {
+        const bool in_question =
+            claim.pair_class.empty() || claim.pair_class == "all" || claim.pair_class == name(found.pair_class);
+        if (!in_question || found.claimant == Claimant::one_run ||
+            std::find(cells.begin(), cells.end(), found.cell) == cells.end())
+            continue;
+        claims += found.claims;
+        held += found.held;
+        largest = std::max(largest, found.largest_ratio);
+    }
+    if (claims == 0) return not_in_study();
+    const std::string evidence_text = fmt::format(
+        "{} of {} factors were off by no more than was claimed of them; the largest error was {:.2g} times "
+        "as large as claimed.",
+        held, claims, largest);
+    return {held == claims ? ClaimVerdict::supported : ClaimVerdict::refuted, evidence_text};
 }
 
 }  // namespace ff::studies

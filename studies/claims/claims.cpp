@@ -57,20 +57,6 @@ constexpr std::array kinds{
 
 }  // namespace
 
-std::string_view name(ClaimVerdict verdict) {
-    switch (verdict) {
-        case ClaimVerdict::supported:
-            return "supported";
-        case ClaimVerdict::as_printed_only:
-            return "only as printed";
-        case ClaimVerdict::refuted:
-            return "refuted";
-        case ClaimVerdict::inconclusive:
-            break;
-    }
-    return "inconclusive";
-}
-
 std::vector<JudgedClaim> judge_claims(const Store& store, const Analysis& findings, const PublishedTables& tables) {
     const auto scene = find_scene(findings.plan, tables);
     const ClaimEvidence evidence(store, findings, tables, scene.value_or(0));

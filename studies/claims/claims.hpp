@@ -2,6 +2,7 @@
 
 #include "studies/analysis/analysis.hpp"
 #include "studies/published/published.hpp"
+#include "studies/readers/names.hpp"
 
 #include <string>
 #include <string_view>
@@ -16,7 +17,11 @@ enum class ClaimVerdict {
     inconclusive,
 };
 
-std::string_view name(ClaimVerdict verdict);
+template <>
+inline constexpr auto names_of<ClaimVerdict> = name_table(Named{ClaimVerdict::supported, "supported"},
+                                                          Named{ClaimVerdict::as_printed_only, "only as printed"},
+                                                          Named{ClaimVerdict::refuted, "refuted"},
+                                                          Named{ClaimVerdict::inconclusive, "inconclusive"});
 
 /// A published claim, judged by the trials of the study.
 struct JudgedClaim {

@@ -278,18 +278,6 @@ class Family {
 
 }  // namespace
 
-std::string_view name(Equal equal) {
-    switch (equal) {
-        case Equal::evaluations:
-            return "evaluations";
-        case Equal::processor_time:
-            return "processor_time";
-        case Equal::error:
-            break;
-    }
-    return "error";
-}
-
 std::vector<Contest> hold_contests(const Store& store, const Analysis& findings) {
     const Costs costs = measured_costs(findings.plan, store.context());
     std::vector<Contest> contests;

@@ -3,6 +3,7 @@
 #include "core/visibility/pair_class.hpp"
 #include "stats/basics/interval.hpp"
 #include "studies/analysis/analysis.hpp"
+#include "studies/readers/names.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -17,7 +18,11 @@ enum class Equal {
     processor_time,  ///< as measured
     error,           ///< a target RMSE
 };
-std::string_view name(Equal equal);
+
+template <>
+inline constexpr auto names_of<Equal> = name_table(Named{Equal::evaluations, "evaluations"},
+                                                   Named{Equal::processor_time, "processor_time"},
+                                                   Named{Equal::error, "error"});
 
 /// A method at a budget: the largest of its sizes that the budget allows, repeated until the budget is used up. For a
 /// target error, the evaluations needed: by log-log interpolation between two sizes, beyond the largest by

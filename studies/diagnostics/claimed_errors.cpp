@@ -113,18 +113,6 @@ std::optional<ClaimedErrors> judge(const Store& store, const CellEstimates& esti
 
 }  // namespace
 
-std::string_view name(Claimant claimant) {
-    switch (claimant) {
-        case Claimant::estimator:
-            return "estimator";
-        case Claimant::study:
-            return "study";
-        case Claimant::one_run:
-            break;
-    }
-    return "one_run";
-}
-
 std::vector<ClaimedErrors> judge_claimed_errors(const Store& store) {
     const StudyPlan& plan = store.plan();
     std::vector<ClaimedErrors> all;

@@ -2,6 +2,7 @@
 
 #include "core/visibility/pair_class.hpp"
 #include "stats/basics/interval.hpp"
+#include "studies/readers/names.hpp"
 #include "studies/store/store.hpp"
 #include "studies/theory/quantity.hpp"
 
@@ -18,7 +19,11 @@ enum class Claimant {
     study,      ///< one for all: Method::claimed_error
     one_run,    ///< hits treated as independent: binomial standard error times the normal quantile
 };
-std::string_view name(Claimant claimant);
+
+template <>
+inline constexpr auto names_of<Claimant> = name_table(Named{Claimant::estimator, "estimator"},
+                                                      Named{Claimant::study, "study"},
+                                                      Named{Claimant::one_run, "one_run"});
 
 enum class ClaimedErrorFinding {
     holds,  ///< no claim was wrong; where not all have to hold, no share is significantly too small

@@ -17,9 +17,6 @@
 namespace ff::studies {
 namespace {
 
-constexpr std::array rules{IntervalRule::student_t, IntervalRule::normal, IntervalRule::percentile_bootstrap,
-                           IntervalRule::two_stage, IntervalRule::look_short};
-
 /// Stopping rules aim at the half-width of this many times R trials.
 constexpr double stages = 4;
 
@@ -150,9 +147,9 @@ class CellTrials {
 
 void add_rows(const CellTrials& trials, std::vector<Coverage>& rows) {
     for (const PairClass wanted : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
-        for (const IntervalRule rule : rules) {
+        for (const auto& rule : names_of<IntervalRule>) {
             for (const std::uint64_t replicates : trials.spec().coverage) {
-                Coverage row = trials.coverage(wanted, rule, replicates);
+                Coverage row = trials.coverage(wanted, rule.value, replicates);
                 if (row.intervals > 0) rows.push_back(row);
             }
         }
@@ -160,12 +157,6 @@ void add_rows(const CellTrials& trials, std::vector<Coverage>& rows) {
 }
 
 }  // namespace
-
-std::string_view name(IntervalRule rule) {
-    static constexpr std::array<std::string_view, 5> names{"student_t", "normal", "percentile_bootstrap", "two_stage",
-                                                           "look_short"};
-    return names.at(static_cast<std::size_t>(rule));
-}
 
 std::vector<Coverage> measure_coverage(const Store& store) {
     const StudyPlan& plan = store.plan();

@@ -2,6 +2,7 @@
 
 #include "core/visibility/pair_class.hpp"
 #include "stats/basics/interval.hpp"
+#include "studies/readers/names.hpp"
 #include "studies/store/store.hpp"
 
 #include <cstddef>
@@ -20,7 +21,12 @@ enum class IntervalRule {
     two_stage,   ///< Stein's: R trials are the pilot and determine how many follow
     look_short,  ///< trials are added to R one by one until Student's interval is short enough; broken on purpose
 };
-std::string_view name(IntervalRule rule);
+
+template <>
+inline constexpr auto names_of<IntervalRule> =
+    name_table(Named{IntervalRule::student_t, "student_t"}, Named{IntervalRule::normal, "normal"},
+               Named{IntervalRule::percentile_bootstrap, "percentile_bootstrap"},
+               Named{IntervalRule::two_stage, "two_stage"}, Named{IntervalRule::look_short, "look_short"});
 
 /// How often intervals of one rule contain the exact value.
 struct Coverage {

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace ff::studies {
 
@@ -22,5 +23,15 @@ struct Choices {
 
 /// Estimators, scenes, and the values of a method's keys `completion`, `allocation`, `map` and `tracer`.
 std::span<const Choices> all_choices();
+
+/// Something that is broken on purpose and can be named in study and bands files, so that checks can be shown to catch
+/// it.
+struct Control {
+    std::string_view kind;  ///< "sampler", "tracer" or "combination"
+    Description description;
+};
+
+/// All controls. None of them is in an ordinary listing.
+std::vector<Control> controls();
 
 }  // namespace ff::studies
