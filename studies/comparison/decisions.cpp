@@ -1,7 +1,6 @@
 #include "studies/comparison/decisions.hpp"
 
 #include "core/exact/known_factors.hpp"
-#include "core/visibility/facing.hpp"
 #include "core/visibility/occlusion.hpp"
 
 #include <algorithm>
@@ -47,15 +46,10 @@ std::vector<const Contest*> main_contests(std::span<const Contest> contests, Equ
 }
 
 bool may_be_occluded(const Scene& scene, PairClass wanted) {
-    const KnownFactors known = known_factors(scene);
-    for (int i = 0; i < static_cast<int>(scene.faces.size()); ++i) {
-        for (int j = 0; j < static_cast<int>(scene.faces.size()); ++j) {
-            if (i == j || !known.at(i, j) || !face_each_other(scene, i, j) || pair_class(scene, i, j) != wanted)
-                continue;
-            if (ff::may_be_occluded(scene, i, j)) return true;
-        }
-    }
-    return false;
+    const auto all = distinct_pairs(scene.faces.size(), Completion::direct);
+    const auto pairs = pairs_of_class(scene, known_pairs(all, known_factors(scene)), wanted);
+    return std::any_of(pairs.begin(), pairs.end(),
+                       [&](const Quantity pair) { return ff::may_be_occluded(scene, pair.from - 1, pair.to - 1); });
 }
 
 std::vector<Decision> decide(const StudyPlan& plan, std::span<const Contest> contests, Equal equal) {

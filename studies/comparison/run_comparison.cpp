@@ -24,11 +24,11 @@ enum class Tested { mean, spread, rmse };
 struct Test {
     std::size_t cell = 0;
     Tested tested = Tested::mean;
-    Contrast contrast;
+    Contrast contrast{};
     double p = 1;
-    std::size_t ratio = 0;                                  ///< index into the cell's ratios, for a test of RMSEs
-    std::optional<std::array<stats::Measured, 2>> spreads;  ///< ln(variance) of both, for a test of these
-    std::optional<stats::MeanEvidence> means;               ///< their difference, for a test of these
+    std::size_t ratio = 0;                                    ///< index into the cell's ratios, for a test of RMSEs
+    std::optional<std::array<stats::Measured, 2>> spreads{};  ///< ln(variance) of both, for a test of these
+    std::optional<stats::MeanEvidence> means{};               ///< their difference, for a test of these
 };
 
 Basis basis_of(const Cell& first, const Cell& second) {
@@ -128,24 +128,19 @@ void test_pairs(const CellEstimates& a, const CellEstimates& b, const Analysis& 
             cell.obstacles.insert(untested.value_or(Untested::no_spread));
             continue;
         }
-        tests.push_back({index,
-                         Tested::mean,
-                         {pairs[i], means->difference, means->standard_error, 1},
-                         stats::test_mean(*means).p,
-                         0,
-                         {},
-                         means});
+        tests.push_back({.cell = index,
+                         .contrast = {pairs[i], means->difference, means->standard_error, 1},
+                         .p = stats::test_mean(*means).p,
+                         .means = means});
         // Trials that never vary may have missed what would make them vary: they show no ratio.
         const auto spreads = compared_spreads(of_first, of_second, i);
         if (!spreads) continue;
         const auto& [x, y] = *spreads;
-        tests.push_back({index,
-                         Tested::spread,
-                         {pairs[i], std::exp((y.value - x.value) / 2), 0, 1},
-                         stats::p_of_equal(x, y),
-                         0,
-                         spreads,
-                         {}});
+        tests.push_back({.cell = index,
+                         .tested = Tested::spread,
+                         .contrast = {pairs[i], std::exp((y.value - x.value) / 2), 0, 1},
+                         .p = stats::p_of_equal(x, y),
+                         .spreads = spreads});
     }
 }
 
@@ -154,7 +149,8 @@ void test_classes(std::size_t index, const CellComparison& cell, std::vector<Tes
     for (std::size_t i = 0; i < cell.ratios.size(); ++i) {
         const auto& logarithms = cell.ratios[i].logarithms;
         if (logarithms.empty()) continue;
-        tests.push_back({index, Tested::rmse, {}, stats::p_of_equal(logarithms[0], logarithms[1]), i, {}, {}});
+        tests.push_back(
+            {.cell = index, .tested = Tested::rmse, .p = stats::p_of_equal(logarithms[0], logarithms[1]), .ratio = i});
     }
 }
 
