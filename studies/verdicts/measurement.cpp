@@ -10,13 +10,6 @@
 namespace ff::studies::gates {
 namespace {
 
-double passing_level(const Levels& levels) {
-    return 1 - 2 * levels.pass_alpha;
-}
-double failing_level(const Levels& levels) {
-    return 1 - levels.fail_alpha;
-}
-
 /// The edge beyond which effects are looked for, `shift` further out.
 double beyond(const Band& band, double shift) {
     return std::isfinite(band.high) ? band.high + shift : band.low - shift;
@@ -32,14 +25,6 @@ stats::Interval around(double value, double half_width, const stats::Interval& l
     interval.low = value - half_width;
     interval.high = value + half_width;
     return interval;
-}
-
-template <class IntervalOf>
-Measurement measured_at(double value, const Levels& levels, const IntervalOf& interval_of) {
-    return {.value = value,
-            .passing = interval_of(passing_level(levels)),
-            .failing = interval_of(failing_level(levels)),
-            .minimum_detectable = 0};
 }
 
 /// A ratio that lies beyond the band by this factor fails with the power.
@@ -137,7 +122,7 @@ Measurement measure_proportion(const stats::Proportion& counts, const Band& band
 std::optional<Measurement> measure_slope(std::span<const stats::Rung> ladder, const Band& band, const Levels& levels) {
     // One resample: the bootstrap interval does not reach the levels asked for, and is not used.
     const auto fitted =
-        stats::fit_rmse_rate(ladder, failing_level(levels), stats::ResamplingPlan{.key = {}, .replicates = 1});
+        stats::fit_rmse_rate(ladder, levels.of_failing(), stats::ResamplingPlan{.key = {}, .replicates = 1});
     if (!fitted) return std::nullopt;
     const double error = fitted->interval.width() / 2 / stats::normal_critical(levels.fail_alpha / 2);
     const auto interval_of = [&](double level) {
@@ -158,8 +143,8 @@ void allow_for_skewness(Measurement& measurement, const stats::Measured& number,
         interval.low = std::min(interval.low, is_logarithm ? std::exp(low) : low);
         interval.high = std::max(interval.high, is_logarithm ? std::exp(high) : high);
     };
-    widen(measurement.passing, passing_level(levels));
-    widen(measurement.failing, failing_level(levels));
+    widen(measurement.passing, levels.of_passing());
+    widen(measurement.failing, levels.of_failing());
 }
 
 Measurement measure_exactly(double value, const Band& band) {

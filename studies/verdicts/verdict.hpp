@@ -23,6 +23,10 @@ struct Levels {
     double fail_alpha = 1e-4;  ///< risk of calling an effect outside that lies inside; two-sided, already shared
     double pass_alpha = 0.05;  ///< risk of calling an effect inside that lies at or beyond one end of the band
     double power = 0.9;        ///< at which minimum detectable effects are stated
+
+    /// Levels of the two intervals of a measurement.
+    [[nodiscard]] double of_passing() const { return 1 - 2 * pass_alpha; }
+    [[nodiscard]] double of_failing() const { return 1 - fail_alpha; }
 };
 
 /// A measured effect: its value, and the two intervals that decide.
@@ -34,6 +38,16 @@ struct Measurement {
     /// Effect beyond the band's upper end (its lower one where that is infinite) that fails with the power.
     double minimum_detectable = 0;
 };
+
+/// A value with both of its intervals, as `interval_of` makes them from their levels.
+template <class IntervalOf>
+Measurement measured_at(double value, const Levels& levels, const IntervalOf& interval_of,
+                        double minimum_detectable = 0) {
+    return {.value = value,
+            .passing = interval_of(levels.of_passing()),
+            .failing = interval_of(levels.of_failing()),
+            .minimum_detectable = minimum_detectable};
+}
 
 /// By the rule of every gate (stats/gates/gate_verdict.hpp); inconclusive without a measurement.
 inline Verdict judge(const std::optional<Measurement>& measurement, const Band& band) {

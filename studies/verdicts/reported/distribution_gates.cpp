@@ -100,10 +100,9 @@ std::string worst_bins(const Bins& bins, const std::vector<double>& counts, cons
 
 Measurement measure_counts(const stats::CountDistance& found, const Band& band, const Levels& levels) {
     const double noise = std::max(0.0, found.statistic - found.freedom);
-    return {.value = std::sqrt(noise / found.draws),
-            .passing = stats::distance_interval(found, 1 - 2 * levels.pass_alpha),
-            .failing = stats::distance_interval(found, 1 - levels.fail_alpha),
-            .minimum_detectable = stats::detectable_distance(found, band.high, levels.fail_alpha, levels.power)};
+    return measured_at(
+        std::sqrt(noise / found.draws), levels, [&](double level) { return stats::distance_interval(found, level); },
+        stats::detectable_distance(found, band.high, levels.fail_alpha, levels.power));
 }
 
 }  // namespace

@@ -98,10 +98,8 @@ Measurement measure_anytime(const Gate& gate, const std::vector<double>& values,
                                   : stats::bounded_sequence(values, gate.bounds.low, gate.bounds.high, level);
         return interval.shifted(-*gate.reference);
     };
-    return {.value = *stats::moments_of(values, *gate.reference).bias(),
-            .passing = interval_at(1 - 2 * levels.pass_alpha),
-            .failing = interval_at(1 - levels.fail_alpha),
-            .minimum_detectable = std::numeric_limits<double>::infinity()};
+    return measured_at(*stats::moments_of(values, *gate.reference).bias(), levels, interval_at,
+                       std::numeric_limits<double>::infinity());
 }
 
 /// @throws UserError at a value beyond the bounds that the gate states

@@ -138,9 +138,7 @@ Measurement measure_bin(const BinEffects& effects, std::size_t index, const Leve
         }
         return interval;
     };
-    Measurement m{.value = bin.value,
-                  .passing = interval_at(1 - 2 * levels.pass_alpha),
-                  .failing = interval_at(1 - levels.fail_alpha)};
+    Measurement m = measured_at(bin.value, levels, interval_at);
     const bool upwards = std::isfinite(bin.band.high);
     const double power = stats::normal_critical(1 - levels.power);
     if (scale == EffectScale::difference) {
