@@ -121,9 +121,7 @@ std::string scene_and_method(const RunComparison& comparison, const CellComparis
 }
 
 std::string ratio_text(const studies::RmseRatio& ratio) {
-    const double reach = ratio.interval->width() / 2;
-    return fmt::format("{} [{}, {}]", to_error(*ratio.ratio, reach), to_error(ratio.interval->low, reach),
-                       to_error(ratio.interval->high, reach));
+    return to_error_with_ends(*ratio.ratio, ratio.interval->low, ratio.interval->high, ratio.interval->width() / 2);
 }
 
 std::string ratio_plot(const RunComparison& comparison) {

@@ -161,6 +161,10 @@ Json summary_json(const Scene& scene, const studies::Summary& s) {
             {"efficiency_samples", optional_json(s.efficiency_samples)}};
 }
 
+Json samples_json(const studies::Cell& cell) {
+    return cell.samples_per_patch == 0 ? Json(nullptr) : Json(cell.samples_per_patch);
+}
+
 Json cell_json(const studies::StudyPlan& plan, const studies::CellAnalysis& found) {
     const studies::Cell& cell = plan.cells[found.cell];
     const studies::Method& method = plan.spec.methods[cell.method];
@@ -175,7 +179,7 @@ Json cell_json(const studies::StudyPlan& plan, const studies::CellAnalysis& foun
             {"map", estimator.has_map ? Json(studies::name(method.map)) : Json(nullptr)},
             {"nodes", nodes_json(method)},
             {"patches_per_face", cell.subdivision.per_part()},
-            {"samples_per_patch", cell.samples_per_patch == 0 ? Json(nullptr) : Json(cell.samples_per_patch)},
+            {"samples_per_patch", samples_json(cell)},
             {"deterministic", cell.deterministic},
             {"trials", found.trials},
             {"trials_planned", found.trials_planned},
@@ -189,7 +193,7 @@ Json in_cell(const studies::StudyPlan& plan, std::size_t cell, const Json& recor
              {"scene", plan.scenes[of.scene].name},
              {"method", plan.spec.methods[of.method].name},
              {"patches_per_face", of.subdivision.per_part()},
-             {"samples_per_patch", of.samples_per_patch == 0 ? Json(nullptr) : Json(of.samples_per_patch)},
+             {"samples_per_patch", samples_json(of)},
              {"level", plan.spec.level}};
     all.update(record);
     return all;

@@ -120,13 +120,12 @@ Json contests_json(const studies::StudyResults& results, Timed timed) {
         Json entrants = Json::array();
         for (const studies::Entrant& entrant : contest.entrants) {
             const studies::Cell& cell = plan.cells[entrant.cell];
-            entrants.push_back(
-                {{"method", plan.spec.methods[cell.method].name},
-                 {"patches_per_face", cell.subdivision.per_part()},
-                 {"samples_per_patch", cell.samples_per_patch == 0 ? Json(nullptr) : Json(cell.samples_per_patch)},
-                 {"repeats", entrant.repeats},
-                 {"value", entrant.value},
-                 {"group", entrant.group + 1}});
+            entrants.push_back({{"method", plan.spec.methods[cell.method].name},
+                                {"patches_per_face", cell.subdivision.per_part()},
+                                {"samples_per_patch", samples_json(cell)},
+                                {"repeats", entrant.repeats},
+                                {"value", entrant.value},
+                                {"group", entrant.group + 1}});
         }
         Json ratios = Json::array();
         for (const studies::Handicap& handicap : contest.handicaps) {

@@ -3,20 +3,16 @@
 #include "reports/text/labels.hpp"
 #include "reports/words/findings/radiosity_words.hpp"
 
-#include <cmath>
 #include <string>
 #include <vector>
 
 namespace ff::reports {
 namespace {
 
-/// JSON cannot express infinity, the condition of a singular matrix.
-Json number(double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json range_json(const studies::radiosity::OverTrials& range) {
-    return {{"least", number(range.least)}, {"median", number(range.median)}, {"largest", number(range.largest)}};
+    return {{"least", finite_json(range.least)},
+            {"median", finite_json(range.median)},
+            {"largest", finite_json(range.largest)}};
 }
 
 Json solvers_json(const std::vector<studies::radiosity::SolverStatistics>& solvers) {
@@ -129,7 +125,7 @@ Json exact_json(const studies::StudyPlan& plan, const studies::radiosity::ExactS
             {"reflectance", plan.spec.radiosity->reflectance[system.setting]},
             {"exitance", exitance},
             {"spectral_radius", system.properties.spectral_radius.middle()},
-            {"condition", number(system.properties.condition)},
+            {"condition", finite_json(system.properties.condition)},
             {"solvers", solvers_json(system.solvers)}};
 }
 

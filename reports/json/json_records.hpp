@@ -17,8 +17,10 @@ Json exitance_json(const studies::StudyPlan& plan, const studies::radiosity::Con
                    const studies::radiosity::ExitanceStatistics& found);
 Json solver_json(const studies::radiosity::SolverStatistics& found);
 
-/// The record after what tells a cell: study, scene, method, patches_per_face, samples_per_patch (null for none),
-/// level.
+/// Samples per patch; null for none.
+Json samples_json(const studies::Cell& cell);
+
+/// The record after what tells a cell: study, scene, method, patches_per_face, samples_per_patch, level.
 Json in_cell(const studies::StudyPlan& plan, std::size_t cell, const Json& record);
 
 /// Whether measured times, which differ from run to run, are shown, or what does not.

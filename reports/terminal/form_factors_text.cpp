@@ -55,8 +55,8 @@ std::string dropped_text(const FormFactorReport& report) {
                                        [](const auto& a, const auto& b) { return a.dropped.value < b.dropped.value; });
     const studies::form_factors::DroppedExchange& sum = most->dropped;
     const double width = std::max(sum.high - sum.value, sum.value - sum.low);
-    return fmt::format("Dropped of a row is at most {} [{}, {}] (face {}, {})\n", to_error(sum.value, width),
-                       to_error(sum.low, width), to_error(sum.high, width),
+    return fmt::format("Dropped of a row is at most {} (face {}, {})\n",
+                       to_error_with_ends(sum.value, sum.low, sum.high, width),
                        report.scene.faces[static_cast<std::size_t>(most - rows.begin())], counted(sum.pairs, "pair"));
 }
 
@@ -88,8 +88,7 @@ std::string many_row_sums(const FormFactorReport& report) {
         std::minmax_element(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
     const auto words = [&](auto row) {
         const double width = std::max(row->high - row->value, row->value - row->low);
-        return fmt::format("{} [{}, {}] (face {})", to_error(row->value, width), to_error(row->low, width),
-                           to_error(row->high, width),
+        return fmt::format("{} (face {})", to_error_with_ends(row->value, row->low, row->high, width),
                            report.scene.faces[static_cast<std::size_t>(row - rows.begin())]);
     };
     return fmt::format("Row sums from {} to {}\n", words(least), words(most));

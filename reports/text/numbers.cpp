@@ -43,6 +43,10 @@ std::string with_ends(double value, double low, double high, int digits) {
     return fmt::format("{} [{}, {}]", brief(value, digits), brief(low, digits), brief(high, digits));
 }
 
+std::string to_error_with_ends(double value, double low, double high, double error) {
+    return fmt::format("{} [{}, {}]", to_error(value, error), to_error(low, error), to_error(high, error));
+}
+
 std::string p_value(double p) {
     return p < 1e-10 ? "< 1e-10" : fmt::format("{:.2g}", p);
 }

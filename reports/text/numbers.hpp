@@ -25,6 +25,9 @@ std::string brief(double value, int digits = 3);
 /// A value and the ends of its interval or range, each brief: "0.11 [0.02, 0.31]".
 std::string with_ends(double value, double low, double high, int digits = 3);
 
+/// The same, as many decimals as the error warrants: "0.502 [0.498, 0.506]".
+std::string to_error_with_ends(double value, double low, double high, double error);
+
 /// A p-value: two significant digits, "< 1e-10" below that.
 std::string p_value(double p);
 

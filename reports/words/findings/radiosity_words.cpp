@@ -65,12 +65,22 @@ std::size_t told_setting(const studies::StudyPlan& plan) {
     return plan.spec.radiosity->reflectance.size() / 2;
 }
 
-std::vector<std::string> lines_of_scene(const studies::StudyResults& results, std::size_t scene) {
+/// The compared cells of all scenes.
+std::vector<std::size_t> all_lit_cells(const studies::StudyPlan& plan) {
+    std::vector<std::size_t> all;
+    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+        const auto cells = lit_cells(plan, scene);
+        all.insert(all.end(), cells.begin(), cells.end());
+    }
+    return all;
+}
+
+std::vector<std::string> cell_lines(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     const std::size_t told = told_setting(plan);
     const std::size_t last = plan.spec.radiosity->reflectance.size() - 1;
     std::vector<std::string> lines;
-    for (const std::size_t cell : lit_cells(plan, scene)) {
+    for (const std::size_t cell : all_lit_cells(plan)) {
         const Consequences* found = results.radiosity->find(cell, own_treatment(plan, cell));
         if (found->settings.empty()) continue;
         std::string line = fmt::format("{}, {}: I − P F {}; {}", cell_label(plan, plan.cells[cell]),
@@ -87,18 +97,16 @@ std::string repair_line(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     const std::size_t told = told_setting(plan);
     std::vector<std::string> parts;
-    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
-        for (const std::size_t cell : lit_cells(plan, scene)) {
-            std::vector<std::string> errors;
-            for (const Treatment treatment : studies::radiosity::all_treatments) {
-                const Consequences* found = results.radiosity->find(cell, treatment);
-                if (found->settings.empty() || !found->settings[told].light_error) continue;
-                errors.push_back(fmt::format("{} {}", studies::radiosity::name(treatment),
-                                             percent(*found->settings[told].light_error)));
-            }
-            if (!errors.empty())
-                parts.push_back(fmt::format("{}: {}", cell_label(plan, plan.cells[cell]), fmt::join(errors, ", ")));
+    for (const std::size_t cell : all_lit_cells(plan)) {
+        std::vector<std::string> errors;
+        for (const Treatment treatment : studies::radiosity::all_treatments) {
+            const Consequences* found = results.radiosity->find(cell, treatment);
+            if (found->settings.empty() || !found->settings[told].light_error) continue;
+            errors.push_back(
+                fmt::format("{} {}", studies::radiosity::name(treatment), percent(*found->settings[told].light_error)));
         }
+        if (!errors.empty())
+            parts.push_back(fmt::format("{}: {}", cell_label(plan, plan.cells[cell]), fmt::join(errors, ", ")));
     }
     if (parts.empty()) return {};
     return fmt::format("Exitance error after each repair at reflectance {}: {}.", setting_text(plan, told),
@@ -110,28 +118,24 @@ std::vector<std::string> patch_lines(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     const std::size_t told = told_setting(plan);
     std::vector<std::string> lines;
-    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
-        for (const std::size_t cell : lit_cells(plan, scene)) {
-            std::vector<std::string> errors;
-            const Treatment own = own_treatment(plan, cell);
-            for (const Treatment treatment : studies::radiosity::all_treatments) {
-                if (treatment == Treatment::normalised || (treatment == Treatment::reciprocal && treatment != own))
-                    continue;
-                const Consequences* found =
-                    results.radiosity->find(cell, treatment, studies::radiosity::Between::patches);
-                if (found == nullptr || found->settings.empty() || !found->settings[told].light_error) continue;
-                const auto& worst = *worst_element(found->settings[told]);
-                errors.push_back(fmt::format("{} {}, on the worst patch {} ({})", studies::radiosity::name(treatment),
-                                             percent(*found->settings[told].light_error),
-                                             percent(relative_error(worst)),
-                                             element_text(plan, *found, worst.element)));
-            }
-            if (errors.empty()) continue;
-            lines.push_back(fmt::format("Between the {} patches of {}, exitance error at reflectance {}: {}.",
-                                        radiating_patches(plan.scenes[scene], plan.cells[cell].subdivision),
-                                        cell_label(plan, plan.cells[cell]), setting_text(plan, told),
-                                        fmt::join(errors, "; ")));
+    for (const std::size_t index : all_lit_cells(plan)) {
+        const studies::Cell& cell = plan.cells[index];
+        const Treatment own = own_treatment(plan, index);
+        std::vector<std::string> errors;
+        for (const Treatment treatment : studies::radiosity::all_treatments) {
+            if (treatment == Treatment::normalised || (treatment == Treatment::reciprocal && treatment != own))
+                continue;
+            const Consequences* found = results.radiosity->find(index, treatment, studies::radiosity::Between::patches);
+            if (found == nullptr || found->settings.empty() || !found->settings[told].light_error) continue;
+            const auto& worst = *worst_element(found->settings[told]);
+            errors.push_back(fmt::format("{} {}, on the worst patch {} ({})", studies::radiosity::name(treatment),
+                                         percent(*found->settings[told].light_error), percent(relative_error(worst)),
+                                         element_text(plan, *found, worst.element)));
         }
+        if (errors.empty()) continue;
+        lines.push_back(fmt::format("Between the {} patches of {}, exitance error at reflectance {}: {}.",
+                                    radiating_patches(plan.scenes[cell.scene], cell.subdivision),
+                                    cell_label(plan, cell), setting_text(plan, told), fmt::join(errors, "; ")));
     }
     return lines;
 }
@@ -148,8 +152,7 @@ std::string bias_order_line(const studies::StudyResults& results) {
     if (fitted.empty()) return {};
     return fmt::format(
         "The exitance is biased though the factors are not: with N rays per face by some power of N, −1 for large N. "
-        "Clear "
-        "at every size in {} of {} cases: {}.",
+        "Clear at every size in {} of {} cases: {}.",
         fitted.size(), results.bias_orders.size(), fmt::join(fitted, "; "));
 }
 
@@ -238,14 +241,12 @@ std::optional<LightInBrief> light_in_brief(const studies::StudyResults& results)
     const studies::StudyPlan& plan = results.findings.plan;
     const std::size_t told = told_setting(plan);
     std::map<std::size_t, const studies::radiosity::SettingStatistics*> errors;  // of a method the largest
-    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
-        for (const std::size_t cell : lit_cells(plan, scene)) {
-            const Consequences* found = results.radiosity->find(cell, own_treatment(plan, cell));
-            if (found->settings.empty() || !found->settings[told].light_error) continue;
-            const studies::radiosity::SettingStatistics*& largest = errors[plan.cells[cell].method];
-            if (largest == nullptr || *largest->light_error < *found->settings[told].light_error)
-                largest = &found->settings[told];
-        }
+    for (const std::size_t cell : all_lit_cells(plan)) {
+        const Consequences* found = results.radiosity->find(cell, own_treatment(plan, cell));
+        if (found->settings.empty() || !found->settings[told].light_error) continue;
+        const studies::radiosity::SettingStatistics*& largest = errors[plan.cells[cell].method];
+        if (largest == nullptr || *largest->light_error < *found->settings[told].light_error)
+            largest = &found->settings[told];
     }
     if (errors.empty()) return std::nullopt;
     LightInBrief brief;
@@ -266,10 +267,7 @@ std::optional<LightInBrief> light_in_brief(const studies::StudyResults& results)
 
 std::vector<std::string> radiosity_in_brief(const studies::StudyResults& results) {
     if (!results.radiosity) return {};
-    std::vector<std::string> lines;
-    for (std::size_t scene = 0; scene < results.findings.plan.scenes.size(); ++scene) {
-        for (std::string& line : lines_of_scene(results, scene)) lines.push_back(std::move(line));
-    }
+    std::vector<std::string> lines = cell_lines(results);
     if (std::string line = repair_line(results); !line.empty()) lines.push_back(std::move(line));
     const auto trials = studies::radiosity::patch_trials(results.findings.plan, *results.radiosity);
     if (!trials.complete()) {
