@@ -15,7 +15,9 @@
 
 namespace ff::reports {
 
+using studies::Basis;
 using studies::CellComparison;
+using studies::Likeness;
 using studies::RunComparison;
 
 namespace {
@@ -150,11 +152,6 @@ std::string ratio_plot(const RunComparison& comparison) {
     }
     return out;
 }
-
-using studies::Basis;
-using studies::CellComparison;
-using studies::Likeness;
-using studies::RunComparison;
 
 TableCell likeness_in_words(const RunComparison& comparison, const CellComparison& cell) {
     const Mark mark = cell.likeness == Likeness::alike       ? Mark::good
