@@ -1,5 +1,5 @@
-#include "reports/json/context_json.hpp"
 #include "reports/json/json.hpp"
+#include "reports/json/context_json.hpp"
 
 #include "tests/unit/reports/small_study.hpp"
 
