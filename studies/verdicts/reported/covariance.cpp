@@ -1,4 +1,4 @@
-#include "studies/verdicts/reported/reported_effects.hpp"
+#include "studies/verdicts/reported/covariance.hpp"
 
 #include "core/support/error.hpp"
 #include "core/support/words.hpp"

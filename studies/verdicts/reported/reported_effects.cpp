@@ -3,7 +3,10 @@
 #include "stats/basics/distributions.hpp"
 #include "stats/dependence/independence.hpp"
 #include "studies/verdicts/at_gate.hpp"
+#include "studies/verdicts/reported/covariance.hpp"
 #include "studies/verdicts/reported/reported_gates.hpp"
+#include "studies/verdicts/reported/reported_shares.hpp"
+#include "studies/verdicts/reported/reported_spreads.hpp"
 
 #include <fmt/format.h>
 
@@ -21,6 +24,82 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
     refuse_gate(gate, fmt::format("bin '{}' of {} has the same mean in every run (repeated runs are not runs). Give "
                                   "every run a seed of its own.",
                                   bins.name(bin), bins.file->origin));
+}
+
+// Common mistakes of codes in reporting a mean and its error, recognised by the size of the discrepancy. Hints, never
+// verdicts: a sentence with a full stop, empty where nothing fits.
+
+/// Far from what chance makes of a hundred runs, near enough to name one factor and no other.
+bool is_near(double a, double b) {
+    return a > 0 && b > 0 && std::abs(std::log(a / b)) < 0.15;
+}
+
+/// Below this n the factors n and sqrt(n) are within reach of ordinary faults.
+constexpr double least_n = 10;
+
+double sum_of_sizes(Rows rows) {
+    double sum = 0;
+    for (const ReportedRow& row : rows) sum += std::abs(row.mean);
+    return sum;
+}
+
+/// @param ratio  spread of means between runs over the errors stated    @param error  a typical one as stated
+/// @param n      samples behind a mean; 0 where not stated
+std::string fault_of_errors(double ratio, double error, double n) {
+    if (ratio > 0.5 && ratio < 2) return {};
+    if (n >= least_n && is_near(ratio, 1 / std::sqrt(n)))
+        return fmt::format(
+            " They are about sqrt(n) = {:.3g} times too large: standard deviations of single samples, "
+            "probably.",
+            std::sqrt(n));
+    if (n >= least_n && is_near(ratio, std::sqrt(n)))
+        return fmt::format(" They are about sqrt(n) = {:.3g} times too small: divided by sqrt(n) twice, probably.",
+                           std::sqrt(n));
+    if (n >= least_n && is_near(ratio, 1 / n))
+        return fmt::format(" They are about n = {:.3g} times too large: errors of sums rather than of means, probably.",
+                           n);
+    if (is_near(error, error * ratio * (error * ratio)))
+        return " They are about the squares of what they should be: variances, probably.";
+    return ratio > 1 ? " Correlated batches are a common cause." : "";
+}
+
+/// Sums instead of means: one file's values are n times the other's, in all bins together.
+/// @pre rows of the same bins in the same order; `against` may have one row only
+std::string fault_of_means(Rows rows, Rows against) {
+    if (rows.empty() || rows.front().n < least_n) return {};
+    const double n = rows.front().n;
+    const double part = static_cast<double>(against.size()) / static_cast<double>(rows.size());
+    const double ratio = sum_of_sizes(rows) / sum_of_sizes(against) * part;
+    constexpr double close = 0.05;
+    if (std::abs(ratio / n - 1) < close)
+        return fmt::format(" The values are n = {:g} times the reference: sums instead of means, probably.", n);
+    if (std::abs(ratio * n - 1) < close)
+        return fmt::format(
+            " The values are the reference over n = {:g}: divided by n twice, or a reference that is a "
+            "sum, probably.",
+            n);
+    return {};
+}
+
+/// Variances instead of standard errors in one of two files.
+std::string fault_between_errors(Rows rows, Rows against) {
+    if (rows.size() != against.size()) return {};
+    const auto are_squares = [](Rows small, Rows large) {
+        std::size_t squares = 0;
+        std::size_t alike = 0;
+        std::size_t all = 0;
+        for (std::size_t i = 0; i < small.size(); ++i) {
+            if (small[i].standard_error == 0 || large[i].standard_error == 0) continue;
+            ++all;
+            alike += std::abs(std::log(small[i].standard_error / large[i].standard_error)) < 1 ? 1u : 0u;
+            squares +=
+                std::abs(std::log(small[i].standard_error) - 2 * std::log(large[i].standard_error)) < 0.5 ? 1u : 0u;
+        }
+        return all > 0 && squares == all && alike == 0;
+    };
+    if (are_squares(rows, against) || are_squares(against, rows))
+        return " The errors of one file are the squares of the other's: variances given as standard errors, probably.";
+    return {};
 }
 
 /// The effect a - b, with its standard error and degrees of freedom by Welch and Satterthwaite.
@@ -197,14 +276,6 @@ void expect_independent_bins(BinComparison& comparing, const Bins& bins) {
 }
 
 }  // namespace
-
-void BinComparison::add_ratio(std::size_t bin, double value, double freedom, double freedom_below) {
-    effects.bins.push_back({.value = value,
-                            .freedom = freedom,
-                            .freedom_below = freedom_below,
-                            .band = gate.band,
-                            .name = static_cast<std::uint32_t>(bin)});
-}
 
 MeanReference mean_of(Rows runs) {
     const auto n = static_cast<double>(runs.size());

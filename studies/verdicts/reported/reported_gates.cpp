@@ -6,6 +6,7 @@
 #include "studies/verdicts/reported/estimate_gates.hpp"
 #include "studies/verdicts/reported/reported_bins.hpp"
 #include "studies/verdicts/reported/reported_effects.hpp"
+#include "studies/verdicts/reported/reported_shares.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "studies/verdicts/reported/reported_effects.hpp"
+#include "studies/verdicts/reported/reported_shares.hpp"
 
 #include "stats/error_rates/multiplicity.hpp"
 #include "studies/verdicts/needed_trials.hpp"

@@ -1,4 +1,4 @@
-#include "studies/verdicts/reported/reported_effects.hpp"
+#include "studies/verdicts/reported/reported_spreads.hpp"
 
 #include "studies/verdicts/at_gate.hpp"
 
