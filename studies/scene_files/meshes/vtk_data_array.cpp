@@ -5,9 +5,7 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include <algorithm>
 #include <cctype>
-#include <utility>
 #include <vector>
 
 namespace ff::studies::meshes {
