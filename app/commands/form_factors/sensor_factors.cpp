@@ -111,14 +111,11 @@ void say_what_sees_nothing(const std::vector<std::vector<PointFactor>>& factors)
 }
 
 void print_factors(const Scene& scene, const std::vector<std::vector<PointFactor>>& factors) {
-    reports::Table table{"sensors", "", "", {{"point", true, {}}, {"to face", false, {}}, {"factor", true, {}}},
-                         {},        {}};
+    reports::Table table{"sensors", "", "", reports::columns({">point", "to face", ">factor"})};
     for (std::size_t point = 0; point < std::min(most_shown, factors.size()); ++point) {
         for (std::size_t face = 0; face < scene.faces.size(); ++face) {
             if (!is_seen(factors[point][face])) continue;
-            table.rows.push_back({reports::plain_cell(std::to_string(point + 1)),
-                                  reports::plain_cell(scene.faces[face]),
-                                  reports::plain_cell(half_of(factors[point][face]))});
+            table.rows.push_back({std::to_string(point + 1), scene.faces[face], half_of(factors[point][face])});
         }
     }
     fmt::print("{}", reports::text_table(table, style_of_stdout()));
