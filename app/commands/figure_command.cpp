@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
-#include <utility>
 
 namespace ff::app {
 namespace {

@@ -19,7 +19,6 @@
 #include "reports/html/scene_html.hpp"
 #include "reports/json/context_json.hpp"
 #include "reports/json/form_factors_json.hpp"
-#include "reports/json/json.hpp"
 #include "reports/programs/hand_over.hpp"
 #include "reports/terminal/form_factors_text.hpp"
 #include "reports/text/labels.hpp"
