@@ -53,7 +53,7 @@ void add_outside_options(CommandDefinition& command, OutsideOptions& options, Ou
 }
 
 double deadline_of(const OutsideOptions& options) {
-    return options.deadline ? parse_duration(*options.deadline).count() : studies::usual_deadline;
+    return options.deadline ? parse_duration(*options.deadline, "--deadline").count() : studies::usual_deadline;
 }
 
 void load_plugins(const OutsideOptions& options) {

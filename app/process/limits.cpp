@@ -75,11 +75,11 @@ std::string too_much(std::optional<std::uint64_t> limit) {
 
 }  // namespace
 
-std::chrono::duration<double> parse_duration(std::string_view text) {
+std::chrono::duration<double> parse_duration(std::string_view text, std::string_view option) {
     const auto seconds = quantity(text, time_units);
     // Clocks count nanoseconds in 63 bits.
     if (seconds && *seconds < 1e9) return std::chrono::duration<double>(*seconds);
-    throw UserError(fmt::format("--max-time {}: not a duration (90, 90s, 15m, 2.5h and 1d are). Give one.", text));
+    throw UserError(fmt::format("{} {}: not a duration (90, 90s, 15m, 2.5h and 1d are). Give one.", option, text));
 }
 
 std::uint64_t parse_size(std::string_view text) {

@@ -9,8 +9,8 @@
 
 namespace ff::app {
 
-/// Reads "90", "90s", "15m", "2.5h" or "1d". @throws UserError
-std::chrono::duration<double> parse_duration(std::string_view text);
+/// Reads "90", "90s", "15m", "2.5h" or "1d". @param option  that has it, for the message @throws UserError
+std::chrono::duration<double> parse_duration(std::string_view text, std::string_view option = "--max-time");
 
 /// Reads "500M" or "2G" (powers of 1024; also k and T; without a letter, bytes) as bytes. @throws UserError
 std::uint64_t parse_size(std::string_view text);

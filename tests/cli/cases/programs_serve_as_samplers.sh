@@ -175,6 +175,7 @@ refuse 2 garbage 'points of 4 coordinates):1: "hello" (not a number)'
 refuse 2 cut "2040 bytes of numbers (its header says 64 x 4 of 8 bytes)"
 refuse 3 much "bytes, and was stopped"
 refuse 3 hangs "did not end within 0.2 s, and was stopped (it wrote nothing to stderr)" --deadline 0.2
+refuse 2 closes "--deadline 1x: not a duration" --deadline 1x
 refuse 3 closes "did not end within 1 s, and was stopped" --deadline 1
 refuse 3 killed "was ended by signal 11"
 refuse 3 dies "ended with exit code 5 (its stderr: no more points)"
