@@ -47,7 +47,7 @@ target_link_options(ff_settings INTERFACE
 # together, like "exact+geometry", are one folder to it. Most of a small file's compile time is its headers, which this
 # reads once for all of them. Names are unique within such a room, also in anonymous namespaces. Files that Highway
 # compiles several times stay alone. The preset "edit" compiles each file alone, and shows which one forgets an include.
-# Precompiled headers would save nothing more (CONTRIBUTING.md has the measurements).
+# Precompiled headers would save nothing more (measured: docs/decisions/0063-folders-compile-as-units.md).
 function(ff_rooms target)
   foreach(together ${ARGN})
     string(REPLACE "+" ";" folders ${together})
