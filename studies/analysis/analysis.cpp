@@ -111,12 +111,13 @@ bool CellAnalysis::has_infinite_variance(PairClass pair_class) const {
     });
 }
 
-CellAnalysis analyse_cell(const Store& store, std::size_t cell_index) {
-    const StudyPlan& plan = store.plan();
+CellAnalysis analyse_cell(const CellReader& cells, std::size_t cell_index) {
+    const StudyPlan& plan = cells.plan();
     const Cell& cell = plan.cells[cell_index];
     const Method& method = plan.spec.methods[cell.method];
     const Scene& scene = plan.scenes[cell.scene];
-    const CellEstimates estimates = load_estimates(store, cell_index);
+    const auto loaded = cells.load(cell_index);
+    const CellEstimates& estimates = *loaded;
     const KnownFactors known = known_factors(scene);
     const auto pairs = distinct_pairs(estimates.faces, method.completion);
     const std::size_t tested = std::max<std::size_t>(1, known_pairs(pairs, known).size());
@@ -124,7 +125,7 @@ CellAnalysis analyse_cell(const Store& store, std::size_t cell_index) {
     CellAnalysis findings;
     findings.cell = cell_index;
     findings.trials = estimates.trials();
-    findings.trials_planned = needed_trials(store, cell_index);
+    findings.trials_planned = needed_trials(cells.store(), cell_index);
     findings.lost_rays = estimates.lost_rays;
     findings.evaluations_per_face = estimates.evaluations_per_face;
     if (estimates.trials() == 0) return findings;
@@ -180,7 +181,7 @@ CellAnalysis analyse_cell(const Store& store, std::size_t cell_index) {
         }
     }
     if (std::none_of(findings.summaries.begin(), findings.summaries.end(), has_no_rmse))
-        findings.patch_errors = patch_errors(store, cell_index);
+        findings.patch_errors = patch_errors(cells.store(), cell_index);
     if (!cell.deterministic) {
         bool refuted = false;
         findings.bias = judge_bias(plan, estimates, pairs, findings.summaries, refuted);
@@ -195,12 +196,12 @@ CellAnalysis analyse_cell(const Store& store, std::size_t cell_index) {
     return findings;
 }
 
-Analysis analyse(const Store& store) {
+Analysis analyse(const CellReader& cells) {
     Analysis findings;
-    findings.plan = store.plan();
-    findings.complete = store.plan().spec.until ? is_adaptively_complete(store) : store.is_complete();
+    findings.plan = cells.plan();
+    findings.complete = findings.plan.spec.until ? is_adaptively_complete(cells.store()) : cells.store().is_complete();
     for (std::size_t cell = 0; cell < findings.plan.cells.size(); ++cell) {
-        findings.cells.push_back(analyse_cell(store, cell));
+        findings.cells.push_back(analyse_cell(cells, cell));
         if (auto words = repeats_in_words(findings.plan, findings.cells.back()); !words.empty())
             findings.plan.warnings.push_back(std::move(words));
     }

@@ -6,7 +6,7 @@
 #include "studies/analysis/error_shape.hpp"
 #include "studies/analysis/patch_error.hpp"
 #include "studies/analysis/summary.hpp"
-#include "studies/store/store.hpp"
+#include "studies/trials/cell_reader.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -53,12 +53,12 @@ struct Analysis {
     std::vector<CellAnalysis> cells;
 };
 
-Analysis analyse(const Store& store);
+Analysis analyse(const CellReader& cells);
 
 /// The warning of a cell whose trials repeat each other; empty where they do not.
 std::string repeats_in_words(const StudyPlan& plan, const CellAnalysis& found);
 
 /// Summaries of one cell.
-CellAnalysis analyse_cell(const Store& store, std::size_t cell);
+CellAnalysis analyse_cell(const CellReader& cells, std::size_t cell);
 
 }  // namespace ff::studies

@@ -25,9 +25,9 @@ constexpr double error_of_rounding = 1e-12;
 constexpr double most_draws = 4e6;
 
 /// Resamples of the trials of each size.
-stats::LadderDraws draw_trials(std::span<const CellEstimates> sizes, const StreamKey& key) {
+stats::LadderDraws draw_trials(std::span<const std::shared_ptr<const CellEstimates>> sizes, const StreamKey& key) {
     std::vector<std::size_t> trials;
-    for (const CellEstimates& estimates : sizes) trials.push_back(estimates.trials());
+    for (const auto& estimates : sizes) trials.push_back(estimates->trials());
     return {trials, {key, resamples_of_ladder(std::accumulate(trials.begin(), trials.end(), std::uint64_t{0}))}};
 }
 
@@ -87,11 +87,11 @@ void fit(std::span<const stats::Rung> rungs, double level, const stats::LadderDr
 /// All that is fitted to one ladder.
 class LadderFit {
   public:
-    LadderFit(const Store& store, const Analysis& findings, const Ladder& ladder)
-        : plan_(store.plan()),
+    LadderFit(const CellReader& cells, const Analysis& findings, const Ladder& ladder)
+        : plan_(cells.plan()),
           findings_(findings),
           ladder_(ladder),
-          estimates_(load(store, ladder)),
+          estimates_(load(cells, ladder)),
           known_(known_factors(plan_.scenes[ladder.scene])),
           draws_(draw_trials(estimates_, key())) {}
 
@@ -99,7 +99,7 @@ class LadderFit {
         LadderSlopes found;
         found.ladder = ladder_;
         const Method& method = plan_.spec.methods[ladder_.method];
-        const auto pairs = known_pairs(distinct_pairs(estimates_.front().faces, method.completion), known_);
+        const auto pairs = known_pairs(distinct_pairs(estimates_.front()->faces, method.completion), known_);
         for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
             const auto members = pairs_of_class(plan_.scenes[ladder_.scene], pairs, pair_class);
             if (!members.empty()) found.classes.push_back(class_slopes(pair_class, members));
@@ -112,9 +112,9 @@ class LadderFit {
     }
 
   private:
-    static std::vector<CellEstimates> load(const Store& store, const Ladder& ladder) {
-        std::vector<CellEstimates> estimates;
-        for (const std::size_t cell : ladder.cells) estimates.push_back(load_estimates(store, cell));
+    static std::vector<std::shared_ptr<const CellEstimates>> load(const CellReader& cells, const Ladder& ladder) {
+        std::vector<std::shared_ptr<const CellEstimates>> estimates;
+        for (const std::size_t cell : ladder.cells) estimates.push_back(cells.load(cell));
         return estimates;
     }
 
@@ -139,11 +139,11 @@ class LadderFit {
 
     [[nodiscard]] std::vector<stats::Rung> rungs(std::span<const Quantity> pairs) const {
         std::vector<stats::Rung> rungs;
-        for (const CellEstimates& estimates : estimates_) {
+        for (const auto& estimates : estimates_) {
             stats::Rung& rung = rungs.emplace_back();
-            rung.size = static_cast<double>(estimates.evaluations_per_face);
+            rung.size = static_cast<double>(estimates->evaluations_per_face);
             rung.width = pairs.size();
-            rung.errors = errors_of(estimates, pairs, known_);
+            rung.errors = errors_of(*estimates, pairs, known_);
         }
         return rungs;
     }
@@ -167,10 +167,10 @@ class LadderFit {
     /// Where few points may have missed something, whether a slope is as expected also rests on the rule for means.
     void allow_for_skewness(std::span<const stats::Rung> sizes, std::span<const Quantity> pairs, Slope& slope) const {
         std::vector<stats::Unmet> unmet;
-        for (const CellEstimates& estimates : estimates_) {
+        for (const auto& estimates : estimates_) {
             std::vector<stats::Unmet> of_pairs;
-            for (const Quantity pair : pairs) of_pairs.push_back(known_limits(plan_, estimates, pair).unmet);
-            unmet.push_back(unmet_squares(of_pairs, estimates.evaluations_per_face));
+            for (const Quantity pair : pairs) of_pairs.push_back(known_limits(plan_, *estimates, pair).unmet);
+            unmet.push_back(unmet_squares(of_pairs, estimates->evaluations_per_face));
         }
         if (std::all_of(unmet.begin(), unmet.end(), [](const stats::Unmet& size) { return size.largest == 0; })) return;
         const auto rate = stats::measured_rmse_rate(sizes, unmet);
@@ -201,7 +201,7 @@ class LadderFit {
     const StudyPlan& plan_;
     const Analysis& findings_;
     const Ladder& ladder_;
-    std::vector<CellEstimates> estimates_;
+    std::vector<std::shared_ptr<const CellEstimates>> estimates_;
     KnownFactors known_;
     stats::LadderDraws draws_;
 };
@@ -252,12 +252,12 @@ std::uint32_t resamples_of_ladder(std::uint64_t trials) {
     });
 }
 
-std::vector<LadderSlopes> fit_slopes(const Store& store, const Analysis& findings) {
+std::vector<LadderSlopes> fit_slopes(const CellReader& cells, const Analysis& findings) {
     if (!findings.complete) return {};
     std::vector<LadderSlopes> ladders;
-    for (const Ladder& ladder : find_ladders(store.plan()))
-        ladders.push_back(LadderFit(store, findings, ladder).slopes());
-    judge_together(ladders, store.plan().spec.level);
+    for (const Ladder& ladder : find_ladders(cells.plan()))
+        ladders.push_back(LadderFit(cells, findings, ladder).slopes());
+    judge_together(ladders, cells.plan().spec.level);
     return ladders;
 }
 

@@ -70,6 +70,6 @@ struct LadderSlopes {
 std::uint32_t resamples_of_ladder(std::uint64_t trials);
 
 /// Slopes of all ladders of a complete study. Pure.
-std::vector<LadderSlopes> fit_slopes(const Store& store, const Analysis& findings);
+std::vector<LadderSlopes> fit_slopes(const CellReader& cells, const Analysis& findings);
 
 }  // namespace ff::studies

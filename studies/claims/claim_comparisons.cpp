@@ -15,7 +15,7 @@ namespace {
 /// Mean over pairs of the relative error, by trial.
 std::vector<double> class_errors(const ClaimEvidence& evidence, std::size_t cell, const std::vector<Quantity>& pairs) {
     std::vector<double> errors;
-    for (std::size_t t = 0; t < evidence.estimates(cell).trials(); ++t) {
+    for (std::size_t t = 0; t < evidence.cells().load(cell)->trials(); ++t) {
         const auto each = evidence.pair_errors(cell, t, pairs);
         errors.push_back(std::accumulate(each.begin(), each.end(), 0.0) / static_cast<double>(each.size()));
     }

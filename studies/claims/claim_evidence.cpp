@@ -29,15 +29,6 @@ std::vector<std::size_t> ClaimEvidence::cells(const PublishedClaim& claim, std::
     return found;
 }
 
-const CellEstimates& ClaimEvidence::estimates(std::size_t cell) const {
-    const auto found =
-        std::find_if(cache_.begin(), cache_.end(), [&](const CellEstimates& e) { return e.cell == cell; });
-    if (found != cache_.end()) return *found;
-    cache_.reserve(findings_.plan.cells.size());  // references stay valid
-    cache_.push_back(load_estimates(store_, cell));
-    return cache_.back();
-}
-
 bool ClaimEvidence::infinite_variance(const PublishedClaim& claim) const {
     for (std::size_t method = 0; method < claim.methods.size(); ++method) {
         for (const std::size_t cell : cells(claim, method)) {
@@ -50,14 +41,15 @@ bool ClaimEvidence::infinite_variance(const PublishedClaim& claim) const {
 }
 
 std::vector<double> ClaimEvidence::sum_errors(std::size_t cell) const {
-    return estimates(cell).sum_relative_error;
+    return cells_.load(cell)->sum_relative_error;
 }
 
 std::vector<double> ClaimEvidence::pair_errors(std::size_t cell, std::size_t trial,
                                                const std::vector<Quantity>& pairs) const {
+    const auto estimates = cells_.load(cell);
     std::vector<double> errors;
     for (const Quantity pair : pairs) {
-        const auto& values = estimates(cell).values(pair);
+        const auto& values = estimates->values(pair);
         const double reference = findings_.cells[cell].summary(pair).reference.value_or(0.0);
         errors.push_back(100.0 * std::abs(values[values.size() == 1 ? 0 : trial] - reference) / reference);
     }

@@ -21,10 +21,10 @@ bool names(const std::vector<Size>& sizes, Size size) {
 class ClaimEvidence {
   public:
     /// @param scene  the study's scene that the tables are about
-    ClaimEvidence(const Store& store, const Analysis& findings, const PublishedTables& tables, std::size_t scene)
-        : store_(store), findings_(findings), tables_(tables), scene_(scene) {}
+    ClaimEvidence(const CellReader& cells, const Analysis& findings, const PublishedTables& tables, std::size_t scene)
+        : cells_(cells), findings_(findings), tables_(tables), scene_(scene) {}
 
-    [[nodiscard]] const Store& store() const { return store_; }
+    [[nodiscard]] const CellReader& cells() const { return cells_; }
     [[nodiscard]] const Analysis& findings() const { return findings_; }
     [[nodiscard]] std::size_t scene() const { return scene_; }
 
@@ -51,15 +51,11 @@ class ClaimEvidence {
     [[nodiscard]] std::vector<double> printed_errors(const PublishedClaim& claim, std::size_t method,
                                                      const std::vector<Quantity>& pairs) const;
 
-    /// Estimates of a cell, kept for the next question.
-    [[nodiscard]] const CellEstimates& estimates(std::size_t cell) const;
-
   private:
-    const Store& store_;
+    const CellReader& cells_;
     const Analysis& findings_;
     const PublishedTables& tables_;
     std::size_t scene_;
-    mutable std::vector<CellEstimates> cache_;
 };
 
 /// The frequency of an event among independent trials, with its Clopper-Pearson interval.

@@ -18,7 +18,7 @@ namespace {
 std::vector<double> counts_above(const ClaimEvidence& evidence, std::size_t cell, const std::vector<Quantity>& pairs,
                                  const std::vector<double>& bounds) {
     std::vector<double> counts;
-    for (std::size_t t = 0; t < evidence.estimates(cell).trials(); ++t) {
+    for (std::size_t t = 0; t < evidence.cells().load(cell)->trials(); ++t) {
         const auto errors = evidence.pair_errors(cell, t, pairs);
         double count = 0;
         for (std::size_t i = 0; i < pairs.size(); ++i) count += errors[i] > bounds[i] ? 1 : 0;
@@ -128,7 +128,7 @@ Judgement judge_uniform(const ClaimEvidence& evidence, const PublishedClaim& cla
 std::string hardest_and_easiest(const ClaimEvidence& evidence, std::size_t cell, const std::vector<Quantity>& pairs) {
     const StudyPlan& plan = evidence.findings().plan;
     const CellAnalysis& found = evidence.findings().cells[cell];
-    const PairSpreads spreads = spreads_of(plan, found, evidence.estimates(cell), pairs);
+    const PairSpreads spreads = spreads_of(plan, found, *evidence.cells().load(cell), pairs);
     const auto& logarithms = spreads.logarithms;
     if (!std::all_of(logarithms.begin(), logarithms.end(), [](const auto& each) { return each.has_value(); }))
         return {};
@@ -150,7 +150,7 @@ Judgement judge_nonuniform(const ClaimEvidence& evidence, const PublishedClaim& 
     const auto pairs = evidence.pairs("adjacent");
     if (cells.empty() || pairs.size() < 2) return not_in_study();
     std::vector<double> ratios;
-    for (std::size_t t = 0; t < evidence.estimates(cells.front()).trials(); ++t) {
+    for (std::size_t t = 0; t < evidence.cells().load(cells.front())->trials(); ++t) {
         const auto errors = evidence.pair_errors(cells.front(), t, pairs);
         ratios.push_back(*std::max_element(errors.begin(), errors.end()) /
                          std::accumulate(errors.begin(), errors.end(), 0.0) * static_cast<double>(errors.size()));
@@ -172,7 +172,7 @@ Judgement judge_claimed_errors_hold(const ClaimEvidence& evidence, const Publish
     std::uint64_t claims = 0;
     std::uint64_t held = 0;
     double largest = 0;
-    for (const ClaimedErrors& found : judge_claimed_errors(evidence.store())) {
+    for (const ClaimedErrors& found : judge_claimed_errors(evidence.cells())) {
         const bool in_question =
             claim.pair_class.empty() || claim.pair_class == "all" || claim.pair_class == name(found.pair_class);
         if (!in_question || found.claimant == Claimant::one_run ||

@@ -57,9 +57,10 @@ constexpr std::array kinds{
 
 }  // namespace
 
-std::vector<JudgedClaim> judge_claims(const Store& store, const Analysis& findings, const PublishedTables& tables) {
+std::vector<JudgedClaim> judge_claims(const CellReader& cells, const Analysis& findings,
+                                      const PublishedTables& tables) {
     const auto scene = find_scene(findings.plan, tables);
-    const ClaimEvidence evidence(store, findings, tables, scene.value_or(0));
+    const ClaimEvidence evidence(cells, findings, tables, scene.value_or(0));
     std::vector<JudgedClaim> judged;
     for (const PublishedClaim& claim : tables.claims) {
         const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.name == claim.kind; });

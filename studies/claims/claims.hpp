@@ -36,6 +36,6 @@ struct JudgedClaim {
 /// error_falls_with_subdivision, error_falls_with_subdivision_not_always, error_falls_with_samples,
 /// smaller_sum_error, smaller_error, smaller_error_not_always, count_larger_error, uniform_error, nonuniform_error,
 /// no_single_best, best_per_class, claimed_errors_hold
-std::vector<JudgedClaim> judge_claims(const Store& store, const Analysis& findings, const PublishedTables& tables);
+std::vector<JudgedClaim> judge_claims(const CellReader& cells, const Analysis& findings, const PublishedTables& tables);
 
 }  // namespace ff::studies

@@ -127,7 +127,8 @@ stats::ChiSquared combine(const std::vector<ColumnChiSquared>& columns) {
 }
 
 void add_chi_squared(const PublishedTables& tables, const Analysis& findings,
-                     const std::map<std::size_t, CellEstimates>& estimates, TableComparison& table) {
+                     const std::map<std::size_t, std::shared_ptr<const CellEstimates>>& estimates,
+                     TableComparison& table) {
     std::map<std::size_t, std::vector<const FigureComparison*>> columns;
     for (const FigureComparison& comparison : table.figures) {
         const Figure& figure = tables.figures[comparison.figure];
@@ -138,7 +139,7 @@ void add_chi_squared(const PublishedTables& tables, const Analysis& findings,
         std::vector<const std::vector<double>*> samples;
         for (const FigureComparison* figure : figures) {
             deviations.push_back(figure->printed - *figure->ours);
-            samples.push_back(&estimates.at(*figure->cell).values(figure->quantity));
+            samples.push_back(&estimates.at(*figure->cell)->values(figure->quantity));
         }
         if (samples.front()->size() < 2 * samples.size()) continue;  // too few trials for a covariance
         if (std::any_of(figures.begin(), figures.end(), [&](const FigureComparison* figure) {
@@ -180,9 +181,9 @@ std::optional<std::size_t> find_cell(const StudyPlan& plan, std::size_t scene, s
     return std::nullopt;
 }
 
-std::vector<TableComparison> compare_with_published(const Store& store, const Analysis& findings,
+std::vector<TableComparison> compare_with_published(const CellReader& cells, const Analysis& findings,
                                                     const PublishedTables& tables) {
-    std::map<std::size_t, CellEstimates> estimates;
+    std::map<std::size_t, std::shared_ptr<const CellEstimates>> estimates;
     const auto scene = find_scene(findings.plan, tables);
     std::vector<TableComparison> comparisons;
     for (const PublishedTable& published : tables.tables) {
@@ -201,10 +202,8 @@ std::vector<TableComparison> compare_with_published(const Store& store, const An
                 const Cell& cell = findings.plan.cells[*comparison.cell];
                 comparison.deterministic = cell.deterministic;
                 comparison.quantity = quantity_of(findings.plan.scenes[cell.scene], figure);
-                const auto loaded = estimates.try_emplace(*comparison.cell);
-                if (loaded.second) loaded.first->second = load_estimates(store, *comparison.cell);
-                compare(loaded.first->second, findings.cells[*comparison.cell], figure, findings.plan.spec.level,
-                        comparison);
+                const auto& loaded = estimates[*comparison.cell] = cells.load(*comparison.cell);
+                compare(*loaded, findings.cells[*comparison.cell], figure, findings.plan.spec.level, comparison);
             }
             table.figures.push_back(comparison);
         }

@@ -48,7 +48,7 @@ std::optional<std::size_t> find_cell(const StudyPlan& plan, std::size_t scene, s
                                      std::uint32_t patches_per_face, std::optional<std::uint64_t> samples_per_patch);
 
 /// Every printed figure against the trials of the study.
-std::vector<TableComparison> compare_with_published(const Store& store, const Analysis& findings,
+std::vector<TableComparison> compare_with_published(const CellReader& cells, const Analysis& findings,
                                                     const PublishedTables& tables);
 
 /// Half a unit of the last printed digit: "0.61" -> 0.005.

@@ -174,11 +174,11 @@ std::vector<double> budgets(const std::vector<Contender>& all, Equal equal) {
 }
 
 /// Mean square error of the pairs of a class in each trial.
-std::vector<double> squares_of(const Store& store, std::size_t cell, PairClass pair_class) {
-    const StudyPlan& plan = store.plan();
+std::vector<double> squares_of(const CellReader& cells, std::size_t cell, PairClass pair_class) {
+    const StudyPlan& plan = cells.plan();
     const KnownFactors known = known_factors(plan.scenes[plan.cells[cell].scene]);
     const auto pairs = known_pairs_of_class(plan, plan.cells[cell], known, pair_class);
-    const auto errors = errors_of(load_estimates(store, cell), pairs, known);
+    const auto errors = errors_of(*cells.load(cell), pairs, known);
     std::vector<double> squares(errors.size() / pairs.size(), 0.0);
     for (std::size_t i = 0; i < errors.size(); ++i)
         squares[i / pairs.size()] += errors[i] * errors[i] / static_cast<double>(pairs.size());
@@ -186,13 +186,13 @@ std::vector<double> squares_of(const Store& store, std::size_t cell, PairClass p
 }
 
 /// Correlation of both mean square errors where trials have the same random numbers, else 0.
-double shared_noise(const Store& store, std::size_t a, std::size_t b, PairClass pair_class) {
-    const StudyPlan& plan = store.plan();
+double shared_noise(const CellReader& cells, std::size_t a, std::size_t b, PairClass pair_class) {
+    const StudyPlan& plan = cells.plan();
     const Cell& one = plan.cells[a];
     const Cell& other = plan.cells[b];
     if (a == b || one.deterministic || one.key != other.key || one.trials != other.trials) return 0;
-    const auto x = squares_of(store, a, pair_class);
-    const auto y = squares_of(store, b, pair_class);
+    const auto x = squares_of(cells, a, pair_class);
+    const auto y = squares_of(cells, b, pair_class);
     if (x.size() != y.size()) return 0;
     const auto n = static_cast<double>(x.size());
     const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n;
@@ -211,7 +211,7 @@ double shared_noise(const Store& store, std::size_t a, std::size_t b, PairClass 
 /// The contests of a scene and class at one thing equal, whose intervals hold together.
 class Family {
   public:
-    Family(const Store& store, Contest kind, const std::vector<Contender>& all) : store_(&store) {
+    Family(const CellReader& cells, Contest kind, const std::vector<Contender>& all) : cells_(&cells) {
         if (all.size() < 2) return;
         for (const double budget : budgets(all, kind.equal)) {
             std::vector<Placed> placed;
@@ -260,7 +260,7 @@ class Family {
         const Placed& worse = placed[b];
         Handicap handicap{a, b, worse.entrant.value / better.entrant.value, std::nullopt, false};
         const double shared = contest.equal == Equal::evaluations
-                                  ? shared_noise(*store_, better.entrant.cell, worse.entrant.cell, contest.pair_class)
+                                  ? shared_noise(*cells_, better.entrant.cell, worse.entrant.cell, contest.pair_class)
                                   : 0;
         const auto interval = ratio_interval(better.logarithm, worse.logarithm, 1 - (1 - level) / pairs_, shared);
         handicap.apart = interval ? interval->low > 1 : handicap.ratio > 1 + 1e-9;
@@ -270,7 +270,7 @@ class Family {
         return handicap;
     }
 
-    const Store* store_;
+    const CellReader* cells_;
     std::vector<Contest> contests_;
     std::vector<std::vector<Placed>> placed_;
     double pairs_ = 0;  ///< number of pairs of entrants, in all contests
@@ -278,13 +278,13 @@ class Family {
 
 }  // namespace
 
-std::vector<Contest> hold_contests(const Store& store, const Analysis& findings) {
-    const Costs costs = measured_costs(findings.plan, store.context());
+std::vector<Contest> hold_contests(const CellReader& cells, const Analysis& findings) {
+    const Costs costs = measured_costs(findings.plan, cells.store().context());
     std::vector<Contest> contests;
     for (std::size_t scene = 0; scene < findings.plan.scenes.size(); ++scene) {
         for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
             for (const Equal equal : {Equal::evaluations, Equal::processor_time, Equal::error}) {
-                Family family(store, {scene, pair_class, equal, 0, {}, {}},
+                Family family(cells, {scene, pair_class, equal, 0, {}, {}},
                               contenders(findings, costs, scene, pair_class, equal));
                 for (Contest& contest : family.decide(findings.plan.spec.level)) contests.push_back(std::move(contest));
             }

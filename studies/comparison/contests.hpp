@@ -58,6 +58,6 @@ struct Contest {
 /// point sets (whose single error may be luck), and sizes without a variance or with few trials are left out. Contests
 /// at equal processor time need measured costs. By scene, class, what is equal, and budget, ascending. Methods that
 /// share their random numbers (they differ in completion only) are compared trial by trial.
-std::vector<Contest> hold_contests(const Store& store, const Analysis& findings);
+std::vector<Contest> hold_contests(const CellReader& cells, const Analysis& findings);
 
 }  // namespace ff::studies

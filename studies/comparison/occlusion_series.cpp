@@ -57,8 +57,8 @@ std::optional<Slope> slope_of(const std::vector<LadderSlopes>& slopes, std::size
 /// Finds the error of a method on a pair in a scene, at the method's size closest to a number of evaluations.
 class Errors {
   public:
-    Errors(const Store& store, const Analysis& findings, const std::vector<LadderSlopes>& slopes)
-        : store_(store), findings_(findings), slopes_(slopes) {}
+    Errors(const CellReader& cells, const Analysis& findings, const std::vector<LadderSlopes>& slopes)
+        : cells_(cells), findings_(findings), slopes_(slopes) {}
 
     [[nodiscard]] std::optional<PairError> of(std::size_t scene, std::size_t method, Quantity pair,
                                               const KnownFactors& known, std::uint64_t evaluations) const {
@@ -69,7 +69,8 @@ class Errors {
             return std::abs(log_evaluations(findings_, a) - wanted) < std::abs(log_evaluations(findings_, b) - wanted);
         });
         if (findings_.cells[cell].trials == 0) return std::nullopt;
-        const CellEstimates estimates = load_estimates(store_, cell);
+        const auto loaded = cells_.load(cell);
+        const CellEstimates& estimates = *loaded;
         const VarianceStatus status = findings_.cells[cell].summary(pair).variance;
         if (status == VarianceStatus::undefined) return std::nullopt;
         PairError found;
@@ -83,7 +84,7 @@ class Errors {
     }
 
   private:
-    const Store& store_;
+    const CellReader& cells_;
     const Analysis& findings_;
     const std::vector<LadderSlopes>& slopes_;
 };
@@ -122,10 +123,10 @@ void judge_hidden_pair(const StudyPlan& plan, double alpha, HiddenPair& scene) {
 
 }  // namespace
 
-std::vector<OcclusionSeries> occlusion_series(const Store& store, const Analysis& findings,
+std::vector<OcclusionSeries> occlusion_series(const CellReader& cells, const Analysis& findings,
                                               const std::vector<LadderSlopes>& slopes) {
     const StudyPlan& plan = findings.plan;
-    const Errors errors(store, findings, slopes);
+    const Errors errors(cells, findings, slopes);
     std::vector<OcclusionSeries> all;
     for (const SceneFamily& family : scene_families()) {
         std::vector<std::size_t> members;

@@ -113,18 +113,19 @@ std::optional<ClaimedErrors> judge(const Store& store, const CellEstimates& esti
 
 }  // namespace
 
-std::vector<ClaimedErrors> judge_claimed_errors(const Store& store) {
-    const StudyPlan& plan = store.plan();
+std::vector<ClaimedErrors> judge_claimed_errors(const CellReader& cells) {
+    const StudyPlan& plan = cells.plan();
     std::vector<ClaimedErrors> all;
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
-        const auto claiming = claimants(store, i);
+        const auto claiming = claimants(cells.store(), i);
         if (claiming.empty()) continue;
-        const CellEstimates estimates = load_estimates(store, i);
+        const auto loaded = cells.load(i);
+        const CellEstimates& estimates = *loaded;
         const KnownFactors known = known_factors(plan.scenes[plan.cells[i].scene]);
         for (const Claimant claimant : claiming) {
             if (claimant == Claimant::one_run && estimates.rays.empty()) continue;
             for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
-                if (auto found = judge(store, estimates, known, pair_class, claimant)) all.push_back(*found);
+                if (auto found = judge(cells.store(), estimates, known, pair_class, claimant)) all.push_back(*found);
             }
         }
     }

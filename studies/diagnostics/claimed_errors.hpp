@@ -3,8 +3,8 @@
 #include "core/visibility/pair_class.hpp"
 #include "stats/basics/interval.hpp"
 #include "studies/readers/names.hpp"
-#include "studies/store/store.hpp"
 #include "studies/theory/quantity.hpp"
+#include "studies/trials/cell_reader.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -50,6 +50,6 @@ struct ClaimedErrors {
 };
 
 /// For every method that claims errors or counts hits. Errors below 1e-12 are rounding; their claims hold.
-std::vector<ClaimedErrors> judge_claimed_errors(const Store& store);
+std::vector<ClaimedErrors> judge_claimed_errors(const CellReader& cells);
 
 }  // namespace ff::studies

@@ -84,8 +84,8 @@ std::optional<Taken> take(IntervalRule rule, std::span<const double> left, const
 /// The trials of a cell, and what is known about them.
 class CellTrials {
   public:
-    CellTrials(const Store& store, std::size_t cell, const KnownFactors& known)
-        : plan_(store.plan()), cell_(cell), known_(known), estimates_(load_estimates(store, cell)) {}
+    CellTrials(const CellReader& cells, std::size_t cell, const KnownFactors& known)
+        : plan_(cells.plan()), cell_(cell), known_(known), estimates_(cells.load(cell)) {}
 
     [[nodiscard]] const StudySpec& spec() const { return plan_.spec; }
 
@@ -116,7 +116,7 @@ class CellTrials {
         Task task{plan_.spec.level, known_.at(pair.from - 1, pair.to - 1).value(), static_cast<std::size_t>(replicates),
                   0};
         const double r = static_cast<double>(replicates);
-        const double deviation = moments_of(estimates_.values(pair), task).standard_deviation().value_or(0.0);
+        const double deviation = moments_of(estimates_->values(pair), task).standard_deviation().value_or(0.0);
         task.half_width = stats::student_critical(r - 1, (1 - task.level) / 2) * deviation / std::sqrt(stages * r);
         return task;
     }
@@ -127,7 +127,7 @@ class CellTrials {
         if (task.half_width <= 0) return;
         const std::string text =
             fmt::format("coverage|{}|{}|{}|{}", plan_.cells[cell_].canonical, pair.from, pair.to, row.replicates);
-        std::span<const double> left = estimates_.values(pair);
+        std::span<const double> left = estimates_->values(pair);
         for (std::size_t group = 0;; ++group) {
             const StreamKey key = derive_key(plan_.spec.seed, fmt::format("{}|{}", text, group));
             const auto taken = take(row.interval_method, left, task, key);
@@ -142,7 +142,7 @@ class CellTrials {
     const StudyPlan& plan_;
     std::size_t cell_;
     const KnownFactors& known_;
-    CellEstimates estimates_;
+    std::shared_ptr<const CellEstimates> estimates_;
 };
 
 void add_rows(const CellTrials& trials, std::vector<Coverage>& rows) {
@@ -158,14 +158,14 @@ void add_rows(const CellTrials& trials, std::vector<Coverage>& rows) {
 
 }  // namespace
 
-std::vector<Coverage> measure_coverage(const Store& store) {
-    const StudyPlan& plan = store.plan();
+std::vector<Coverage> measure_coverage(const CellReader& cells) {
+    const StudyPlan& plan = cells.plan();
     std::vector<Coverage> rows;
     if (plan.spec.coverage.empty()) return rows;
     for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) {
         if (plan.cells[cell].deterministic) continue;
         const KnownFactors known = known_factors(plan.scenes[plan.cells[cell].scene]);
-        add_rows(CellTrials(store, cell, known), rows);
+        add_rows(CellTrials(cells, cell, known), rows);
     }
     if (rows.empty()) return rows;
     const double alpha = stats::sidak_level(1 - plan.spec.level, rows.size());

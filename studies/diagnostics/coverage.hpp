@@ -3,7 +3,7 @@
 #include "core/visibility/pair_class.hpp"
 #include "stats/basics/interval.hpp"
 #include "studies/readers/names.hpp"
-#include "studies/store/store.hpp"
+#include "studies/trials/cell_reader.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -46,6 +46,6 @@ struct Coverage {
 /// Cuts the trials of each sampled cell into groups of R and makes an interval of each, for StudySpec::coverage. From
 /// each source face one target of each class is taken: such pairs have no point in common, so that intervals are
 /// independent. Stopping rules aim at the half-width that 4 R trials have on average. Pure.
-std::vector<Coverage> measure_coverage(const Store& store);
+std::vector<Coverage> measure_coverage(const CellReader& cells);
 
 }  // namespace ff::studies

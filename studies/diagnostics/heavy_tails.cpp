@@ -12,10 +12,11 @@ struct Candidate {
     stats::TailFit fit;
 };
 
-std::vector<Candidate> candidates(const Store& store, const Analysis& findings) {
+std::vector<Candidate> candidates(const CellReader& cells, const Analysis& findings) {
     std::vector<Candidate> found;
     for (const CellAnalysis& cell : findings.cells) {
-        const CellEstimates estimates = load_estimates(store, cell.cell);
+        const auto loaded = cells.load(cell.cell);
+        const CellEstimates& estimates = *loaded;
         for (const Summary& summary : cell.summaries) {
             const bool pair = summary.quantity.kind == QuantityKind::form_factor;
             if (!pair || summary.variance != VarianceStatus::finite) continue;
@@ -28,8 +29,8 @@ std::vector<Candidate> candidates(const Store& store, const Analysis& findings) 
 
 }  // namespace
 
-std::vector<HeavyTail> find_heavy_tails(const Store& store, const Analysis& findings) {
-    const auto tested = candidates(store, findings);
+std::vector<HeavyTail> find_heavy_tails(const CellReader& cells, const Analysis& findings) {
+    const auto tested = candidates(cells, findings);
     std::vector<HeavyTail> heavy;
     if (tested.empty()) return heavy;
     const double alpha = stats::sidak_level(1 - findings.plan.spec.level, tested.size());
