@@ -1,7 +1,7 @@
 # ffstudy_add_gate(NAME name COMMAND program [arguments...] BANDS bands.toml [AGAINST old.csv] [TIMEOUT seconds])
 #
 # A test that runs the command, takes what it prints for the file of --estimates, and checks it against the bands. It
-# passes where all gates pass; inconclusive is no pass. Estimates and verdicts are in the folder NAME of the binary
+# passes where all gates pass; inconclusive is not a pass. Estimates and verdicts are in the folder NAME of the binary
 # directory. AGAINST and BANDS are taken from the source directory. Label: gate.
 
 find_program(FFSTUDY_PROGRAM ffstudy HINTS ${CMAKE_CURRENT_LIST_DIR}/../../../bin ${CMAKE_CURRENT_LIST_DIR}/../../../../bin

@@ -15,7 +15,7 @@ struct UsageProblems {
 
     /// Words that nothing takes.
     [[nodiscard]] std::string unexpected(const std::vector<std::string>& words) const;
-    // Of what the parser says:
+    // Errors that the parser reports:
     [[nodiscard]] std::string not_converted(std::string_view message) const;  ///< a value of the wrong type
     [[nodiscard]] std::string missing(std::string_view message) const;        ///< something that is required
     [[nodiscard]] std::string number_of_values(std::string_view message) const;

@@ -87,7 +87,7 @@ std::vector<Plan> prepare(const Check& check, GatePurpose purpose) {
     return plans;
 }
 
-// Signals end the program at once: verdicts are written after every gate. So these go on to their end.
+// Signals end the program at once: verdicts are written after every gate. So these run to their end.
 std::uint64_t plan(const Check& check, Plan& gate) {
     return studies::gates::at_gate(check.spec.gates[gate.gate],
                                    [&] { return plan_trials(check.spec, gate, check.options).value(); });

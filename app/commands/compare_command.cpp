@@ -29,7 +29,7 @@ struct CompareCommand {
     bool quiet = false;
 };
 
-/// The names of two folders, with as many of the folders above them as it takes to tell them apart.
+/// The names of two folders, with as many of the folders above them as it takes to distinguish them.
 std::array<std::string, 2> names_of_folders(const std::filesystem::path& first, const std::filesystem::path& second) {
     using std::filesystem::path;
     path a = std::filesystem::absolute(first).lexically_normal().parent_path();

@@ -27,7 +27,7 @@ std::filesystem::path studies_folder() {
     return installed.empty() ? std::filesystem::path(build_info::source_studies) : installed;
 }
 
-/// Of templates that come with the program.
+/// Folders of the templates that come with the program.
 std::vector<std::filesystem::path> template_folders() {
     if (const auto installed = installed_folder(build_info::installed_templates); !installed.empty())
         return {installed};

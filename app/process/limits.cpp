@@ -28,7 +28,7 @@ struct Unit {
 constexpr std::array time_units{Unit{'s', 1}, Unit{'m', 60}, Unit{'h', 3600}, Unit{'d', 86400}};
 constexpr std::array size_units{Unit{'k', 0x1p10}, Unit{'m', 0x1p20}, Unit{'g', 0x1p30}, Unit{'t', 0x1p40}};
 
-/// A positive number with at most one letter after it, in units of 1; empty where it is none.
+/// A positive number with at most one letter after it, in units of 1; empty for any other text.
 std::optional<double> quantity(std::string_view text, const std::array<Unit, 4>& units) {
     double value = 0;
     const char* end = text.data() + text.size();

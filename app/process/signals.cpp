@@ -58,7 +58,7 @@ void say_words() {
     if (!words.empty()) static_cast<void>(!::write(STDERR_FILENO, words.data(), words.size()));
 }
 
-/// The mutex stays locked: no other thread goes on with what the actions take away.
+/// The mutex stays locked, so that no other thread keeps using what the actions take away.
 [[noreturn]] void end() {
     for (auto action = state().actions.rbegin(); action != state().actions.rend(); ++action) (**action)();
     say_words();

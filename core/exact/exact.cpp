@@ -60,7 +60,7 @@ struct Target {
     int face = 0;
 };
 
-/// The surfaces of faces and their images in mirrors; empty if one is no rectangle along the axes, or if images are
+/// The surfaces of faces and their images in mirrors; empty if one is not a rectangle along the axes, or if images are
 /// not known.
 std::optional<std::vector<Target>> targets(const Scene& scene) {
     std::vector<Target> all;

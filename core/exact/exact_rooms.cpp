@@ -128,7 +128,7 @@ std::optional<Profile> profile(const Surface& surface, const Axis& axis, double 
     return result;
 }
 
-/// Where the meridian goes on from a rim. @return empty where nothing or more than one surface follows
+/// Where the meridian continues from a rim. @return empty where nothing or more than one surface follows
 std::optional<std::size_t> next_of(const std::vector<Profile>& profiles, const Rim& rim, double size) {
     std::optional<std::size_t> next;
     for (std::size_t k = 0; k < profiles.size(); ++k) {

@@ -95,7 +95,7 @@ class BoxTree {
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
             const double a = (box.min()[axis] - origin[axis]) * speed[axis];
             const double b = (box.max()[axis] - origin[axis]) * speed[axis];
-            // Along a face of the box 0 * infinity is no number, and both comparisons leave the other bound.
+            // Along a face of the box 0 * infinity is NaN, and both comparisons keep the other bound.
             const double low = a < b ? a : b;
             const double high = a < b ? b : a;
             if (low > in) in = low;

@@ -78,7 +78,7 @@ class Ring {
   private:
     const std::vector<Vector2d>& places_;
     std::vector<std::size_t> left_;
-    double flat_ = 0;  ///< twice the area of what is no triangle
+    double flat_ = 0;  ///< twice the area up to which three corners count as one line
 
     /// A corner in the same place as another, as where a hole is joined to the rim, is not.
     [[nodiscard]] bool is_in_the_way(std::size_t other, const std::array<std::size_t, 3>& ear) const {

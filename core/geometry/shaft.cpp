@@ -17,7 +17,7 @@ namespace ff {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Of the corners of a shaft, in rows of eight.
+/// One number for each corner of a shaft, in rows of eight.
 using ByCorner = std::array<Doubles, Shaft::most_corners / lanes>;
 
 /// Distances from a plane or an edge.

@@ -65,7 +65,7 @@ class Shaft {
 
     static constexpr std::size_t most_corners = 16;
 
-    /// Of both ends: corners of `from`, then those of `to`, the last again and again up to a multiple of eight.
+    /// The corners of both ends: those of `from`, then those of `to`, the last one repeated up to a multiple of eight.
     struct Corners {
         using Component = std::array<double, most_corners>;
         alignas(64) Component x, y, z;

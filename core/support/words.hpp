@@ -67,7 +67,7 @@ void for_each_line(std::string_view text, Visit visit) {
     }
 }
 
-/// The whole of the text as a number, without a plus sign; empty where it is none.
+/// The whole text as a number, without a plus sign; empty where it is not one.
 template <class Number>
 std::optional<Number> parse_bare_number(std::string_view text) {
     Number number{};

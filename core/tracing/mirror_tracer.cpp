@@ -70,7 +70,7 @@ class MirrorTracer final : public Tracer {
                 hits[number[i]] = hit;
                 continue;
             }
-            hits[number[i]] = {};  // lost, unless it goes on
+            hits[number[i]] = {};  // lost, unless the ray continues
             const Mirror& mirror = mirrors_[which];
             const Eigen::Vector3f place = mirror.map.at(hit.s, hit.t).position.cast<float>();
             onward[which].add(place, direction - 2 * mirror.normal.dot(direction) * mirror.normal, number[i]);

@@ -12,7 +12,7 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-/// Of a place in the plane of a parallelogram, along its edges.
+/// The coordinates of a place in the plane of a parallelogram, along its edges.
 std::array<double, 2> coordinates(const Parallelogram& frame, const Vector3d& place) {
     const Vector3d across = frame.edge_u.cross(frame.edge_v);
     const Vector3d offset = place - frame.corner;
@@ -91,7 +91,7 @@ class ClusterTree::Builder {
         return index;
     }
 
-    /// Of one wall.
+    /// Adds a cluster of pieces of one wall.
     std::uint32_t add_pieces(std::span<std::uint32_t> pieces, std::uint32_t wall, bool is_wall) {
         const std::uint32_t index = begin_cluster();
         tree_.clusters_[index].wall = wall;
@@ -109,7 +109,7 @@ class ClusterTree::Builder {
         return index;
     }
 
-    /// Of walls that are joined, which are parallelograms.
+    /// The parallelogram of a wall that consists of several surfaces.
     [[nodiscard]] static Parallelogram frame_of(const Surface& wall) {
         const auto* parallelogram = std::get_if<Parallelogram>(&wall.shape);
         if (parallelogram != nullptr) return *parallelogram;

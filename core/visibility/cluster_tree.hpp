@@ -21,7 +21,7 @@ class ClusterTree {
 
     struct Cluster {
         Eigen::AlignedBox3d box;
-        /// Of a convex set that holds the cluster: the rectangle around it in its plane, or the box.
+        /// Corners of a convex set that contains the cluster: the rectangle around it in its plane, or the box.
         std::array<Eigen::Vector3d, 8> corners;
         std::uint8_t corner_count = 0;
         Eigen::Vector3d normal =

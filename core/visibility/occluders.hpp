@@ -45,7 +45,7 @@ class Occluders {
     /// @param most_pairs  in a visit
     [[nodiscard]] std::vector<Visit> visits(double most_pairs) const;
 
-    /// Of two surfaces by their index, the first being the smaller one.
+    /// Receives two surfaces by their indices, the smaller index first.
     using See = std::function<void(std::uint32_t from, std::uint32_t to, const Between& between)>;
 
     /// Calls that for all pairs of surfaces of a visit that belong to faces and that face each other, unless all is

@@ -17,7 +17,7 @@ class SharedEdges {
 
     explicit SharedEdges(const std::vector<Surface>& surfaces);
 
-    /// Of a surface; empty for round ones. Its k-th edge begins in the k-th corner.
+    /// The outline of a surface; empty for round ones. Its k-th edge begins in the k-th corner.
     [[nodiscard]] const ConvexPolygon& outline(std::size_t surface) const { return outlines_[surface]; }
     [[nodiscard]] std::size_t size() const { return outlines_.size(); }
     /// What corners may be off by.

@@ -1,5 +1,5 @@
 # Run at build time: installs the packages of the lock file into WORK, and compiles the pictures into OUT. Where the npm
-# registry cannot be reached the build goes on without pictures.
+# registry cannot be reached the build continues without pictures.
 
 file(GLOB sources ${SOURCE}/*.json ${SOURCE}/*.js ${SOURCE}/*.mjs)
 file(COPY ${sources} DESTINATION ${WORK})

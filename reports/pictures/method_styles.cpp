@@ -17,7 +17,7 @@ namespace {
 
 using studies::StudyResults;
 
-/// Okabe and Ito, without yellow and black; the rest of the palette tells more apart on both grounds.
+/// Okabe and Ito, without yellow and black; the rest of the palette contrasts better on both backgrounds.
 constexpr std::array method_colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#8a6d3b"};
 constexpr std::array method_symbols{"circle",  "square",         "triangle-up",  "cross",
                                     "diamond", "triangle-right", "triangle-down"};

@@ -154,7 +154,8 @@ std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std
     for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
         auto all = size_series(results, scene, pair_class);
         std::erase_if(all, [&](const SizeSeries& series) { return !methods.has(series.method); });
-        if (all.empty() || (all.size() == 1 && all.front().points.size() == 1)) continue;  // one point is no picture
+        if (all.empty() || (all.size() == 1 && all.front().points.size() == 1))
+            continue;  // one point does not make a picture
         pictures.push_back(convergence_picture(findings, scene, pair_class, all, styles));
         if (auto efficiency = efficiency_picture(findings, scene, pair_class, all, styles))
             pictures.push_back(std::move(*efficiency));

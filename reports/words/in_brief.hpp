@@ -21,9 +21,9 @@ std::vector<std::string> one_run_errors_in_brief(const studies::StudyResults& re
 /// "5.3 [4.1, 6.9]": the factor of variance reduction, and its interval.
 std::string factor_text(const studies::VarianceReduction& reduction);
 
-/// The samplers with the least variance, as far as they are told apart, at each size (of a ladder: at the largest) and
-/// on each class of pairs, and the effect of one sequence over all patches of a face; empty where nothing is compared
-/// with random points.
+/// The samplers with the least variance, as far as they can be distinguished, at each size (of a ladder: at the
+/// largest) and on each class of pairs, and the effect of one sequence over all patches of a face; empty where nothing
+/// is compared with random points.
 std::vector<std::string> reductions_in_brief(const studies::StudyResults& results);
 
 /// Findings of a study beyond the errors of its methods, a sentence each: heavy tails, slopes, variances, coverage,

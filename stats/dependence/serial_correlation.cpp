@@ -66,7 +66,7 @@ std::optional<SerialTest> test_serial_correlation(std::span<const double> values
     const std::vector<double> x = centred(values);
     const double squares = sum_of_products(x, 0);
     SerialTest test = asymptotic_test(x, squares);
-    // Of few values, or values of which most are equal, small p-values are far from what orders by chance give.
+    // With few values, or values most of which are equal, small p-values differ much from those of random orders.
     constexpr double doubtful = 0.01;
     if (test.p < doubtful) test.p = std::max(test.p, share_of_orders(x, squares, test.p));
     test.detectable = (normal_critical(0.025) + normal_critical(0.1)) / std::sqrt(static_cast<double>(x.size()));

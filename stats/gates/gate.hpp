@@ -204,7 +204,7 @@ Result spread(const Values& values, double reference, const Options& options) {
     const double freedom = (n - 1) / (1 + (kurtosis > 0 ? kurtosis : 0) / 2);
     const double effect = std::sqrt(squares / (n - 1)) / reference;
     for (double& square : deviations) square /= squares / n;  // so that no power of it overflows
-    // Of the mean of the squares: its skewness, its standard error as a share of it, and its root.
+    // The mean of the squares has this skewness, this standard error relative to itself, and this root.
     const MeanSkewness skewness = skewness_of_mean(deviations, n);
     const double error = std::sqrt(std::max(0.0, n * fourth / (squares * squares) - 1) / (n - 1));
     const double root = std::sqrt(squares / n) / reference;

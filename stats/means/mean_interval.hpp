@@ -9,8 +9,8 @@
 
 namespace ff::stats {
 
-/// Intervals for the mean of independent replicates. All are empty below two values and where all values are equal: no
-/// spread is no evidence of precision.
+/// Intervals for the mean of independent replicates. All are empty below two values and where all values are equal: the
+/// absence of spread is not evidence of precision.
 
 /// Student's t: mean +- t(n-1) s / sqrt(n). The one to use; good from five replicates of a randomised rule on.
 /// @see [lecuyer2023], [owen2025]

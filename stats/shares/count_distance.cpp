@@ -127,7 +127,7 @@ double last_value(double guess, const Holds& holds) {
     return low;
 }
 
-/// Of the shares p and 1 - p from q and 1 - q.
+/// Kullback-Leibler divergence of the shares p and 1 - p from q and 1 - q.
 double divergence(double p, double q) {
     const double hits = p > 0 ? p * std::log(p / q) : 0;
     return p < 1 ? hits + (1 - p) * (std::log1p(-p) - std::log1p(-q)) : hits;

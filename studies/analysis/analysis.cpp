@@ -83,7 +83,7 @@ std::optional<double> reference_of(const Scene& scene, const KnownFactors& known
         case QuantityKind::row_sum:
             return scene.closed ? 1.0 : known.row_sum(quantity.from - 1);
         case QuantityKind::sum_relative_error:
-            break;  // its expectation is no property of the scene
+            break;  // its expectation is not a property of the scene
     }
     return std::nullopt;
 }

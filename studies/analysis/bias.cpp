@@ -186,7 +186,7 @@ double level_of_pair(const StudyPlan& plan, std::size_t tested) {
 
 bool counts_hits(const StudyPlan& plan, const CellEstimates& estimates, Quantity pair, VarianceStatus variance) {
     const Cell& cell = plan.cells[estimates.cell];
-    // What reciprocity makes of another pair's hits is no multiple of a hit.
+    // A value that reciprocity derives from another pair's hits is not a multiple of a hit.
     const bool completed = plan.spec.methods[cell.method].completion == Completion::reciprocal && pair.from > pair.to;
     return !completed && !plan.spec.until && estimates.lattice(pair) &&
            has_independent_hits(plan.spec.methods[cell.method], pair) &&
@@ -240,7 +240,7 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
             const bool varies = summary.std && *summary.std > 0;
             if (summary.variance != VarianceStatus::finite || varies || !summary.bias || estimates.trials() < 2)
                 continue;
-            // Trials that all give one wrong value: their random numbers are no replicates, or the method is wrong.
+            // Trials that all give one wrong value: they are not replicates, or the method is wrong.
             const double p = p_of_constant(*summary.bias, estimates.lattice(pairs[i]), estimates.trials());
             if (p == 1) continue;
             if (tester.may_be_unmet(summary)) {
@@ -290,7 +290,7 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
     };
     family.constant_and_wrong = some_constant_below_alpha(adjusted);
     family.constant = some_constant_below_alpha(student_adjusted);
-    // A form factor lies between 0 and 1: a larger bias is none that could be.
+    // A form factor lies between 0 and 1, so a larger bias is impossible.
     const bool nothing_found = family.student_p >= alpha && family.untestable < family.pairs;
     if (nothing_found && family.minimum_detectable_bias >= 1) {
         family.few_trials = true;

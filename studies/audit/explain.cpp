@@ -188,7 +188,7 @@ class Explainer {
                      figures_behind(model_, constraint));
     }
 
-    /// Whether anything but its pairs tells a row sum; otherwise it is no evidence about them.
+    /// Whether anything but its pairs determines a row sum; otherwise it is not evidence about them.
     [[nodiscard]] bool is_stated(std::size_t sum) const {
         return std::any_of(model_.system.constraints.begin(), model_.system.constraints.end(), [&](const auto& c) {
             return c.relation != Relation::row_sum &&

@@ -57,7 +57,7 @@ double printed_unit(double value, NumberFormat format);
 /// The numbers that are printed as `number`: a closed range for rounding (ties may go either way), without the upper
 /// end for truncation. Empty where the format cannot print it because it has too many digits.
 std::optional<Range> printed_range(PrintedNumber number, NumberFormat format);
-/// The same; empty also for a text that is no number.
+/// The same; empty also for a text that is not a number.
 std::optional<Range> printed_range(std::string_view text, NumberFormat format);
 
 /// `value` >= 0 in the format, trailing zeros kept.

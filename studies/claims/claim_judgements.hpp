@@ -14,7 +14,7 @@ struct Judgement {
     bool as_printed_only = false;  ///< see JudgedClaim
 };
 
-/// Of the claim that what lies from `low` to `high` is above a number.
+/// Judges the claim that a value known to lie between `low` and `high` is above a number.
 inline ClaimVerdict is_above(double low, double high, double number) {
     return low > number ? ClaimVerdict::supported : high < number ? ClaimVerdict::refuted : ClaimVerdict::inconclusive;
 }

@@ -135,7 +135,7 @@ class CellTrials {
             left = left.subspan(taken->trials);
             row.mean_trials += static_cast<double>(taken->trials);
             ++row.intervals;
-            if (taken->interval && taken->interval->contains(0)) ++row.covered;  // no spread is no interval
+            if (taken->interval && taken->interval->contains(0)) ++row.covered;  // without spread there is no interval
         }
     }
 

@@ -77,7 +77,8 @@ struct Misses {
     double excess = 0;
 };
 
-/// Of two rows that share an entry, both miss what it lacks; where only one is known to miss anything, that counts.
+/// What an entry lacks is missing from both rows that share it; where only one of them is known to miss anything, that
+/// counts.
 double common(double first, double second) {
     return first > 0 && second > 0 ? std::min(first, second) : std::max(first, second);
 }

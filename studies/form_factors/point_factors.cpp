@@ -37,7 +37,7 @@ PointFactors::PointFactors(const Scene& scene) : placement_(placement_of(scene))
 }
 
 std::vector<PointFactor> PointFactors::from(const Vector3d& given, const Vector3d& direction) const {
-    // Of angles between edges, for each of the edges that may take part.
+    // Rounding error of the angles between edges, for each edge that may take part.
     constexpr double rounding = 1e-13;
     const Vector3d place = (given - placement_.origin) / placement_.unit;
     const Vector3d normal = direction.stableNormalized();

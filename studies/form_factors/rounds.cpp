@@ -87,7 +87,7 @@ double Rounds::wanted(std::size_t pair) const {
     return std::max(least * width, width - faces.bound);
 }
 
-/// Of the random numbers of a round.
+/// The key of the random numbers of a round.
 StreamKey Rounds::key_of(std::string_view samples) const {
     return derive_key(request_.seed,
                       fmt::format("form factors of {}, {}, round {}", scene_.canonical, samples, round_));

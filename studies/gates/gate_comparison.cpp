@@ -54,7 +54,7 @@ stats::KnownLimits limits_of(const Gate& gate, const StudyPlan& plan, const Effe
                       .evaluations = std::max(there.evaluations, back.evaluations)}};
 }
 
-/// Whether so few rays hit, or miss, in all trials together that their number is no test of anything.
+/// Whether so few rays hit, or miss, in all trials together that their number tests nothing.
 bool has_few_hits(const CellEstimates& estimates, Quantity quantity, double share) {
     const auto lattice = estimates.lattice(quantity);
     if (!lattice) return false;
@@ -129,7 +129,7 @@ void compare_spreads(const Gate& gate, const Plan& plan, const Effect& effect,
             row.note = "the baseline has no spread";
             return;
         }
-        // Of the baseline's trials no more than this is known. What ours may have missed they may have missed too.
+        // This is all that is known of the baseline's trials. What ours may have missed they may have missed too.
         const auto before =
             stats::with_error(std::log(reference->mean_square) / 2, 1 / std::sqrt(2 * reference->freedom),
                               std::max<std::size_t>(2, stored->trials));
@@ -154,7 +154,8 @@ void compare_losses(const Gate& gate, const Plan& plan, const CellEstimates& est
                     Comparison& row) {
     row.measurement = measure_proportion({.hits = estimates.lost_rays, .trials = rays}, row.band, plan.levels);
     if (row.band.high > 0) return judge_into(row);
-    // None is tolerated, so one decides; that there is none is known as far as the rays reach.
+    // No lost ray is tolerated, so a single one decides. That there are none is known only as far as the number of rays
+    // allows.
     row.measurement->minimum_detectable = -std::expm1(std::log1p(-plan.levels.power) / static_cast<double>(rays));
     const bool enough = static_cast<double>(rays) >= rays_for_loss(gate.detects, plan.levels);
     row.verdict = estimates.lost_rays > 0 ? Verdict::fail : enough ? Verdict::pass : Verdict::inconclusive;
@@ -229,7 +230,7 @@ void compare_slope(const Gate& gate, const Plan& plan, const Effect& effect, std
     if (std::any_of(effect.cells.begin(), effect.cells.end(), is_sparse)) leave_few_hits_undecided(row);
 }
 
-/// Trials that repeat each other are no replicates, whatever their mean.
+/// Trials that repeat each other are not replicates, whatever their mean.
 void expect_replicates(const Plan& plan, std::span<const double> values, Comparison& row) {
     if (plan.deterministic || are_equal(values)) return;
     const auto period = stats::find_period(values, plan.levels.fail_alpha);

@@ -23,7 +23,7 @@ double temperature_of_black_body(double power) {
     return std::pow(power / stefan_boltzmann, 0.25);
 }
 
-/// Of light, or of a face with a temperature.
+/// Power per area that a light, or a face with a given temperature, emits.
 double emitted_by(const Material& material) {
     if (material.is_light()) return material.emission.value_or(0);
     return *material.emissivity * power_of_black_body(*material.temperature);

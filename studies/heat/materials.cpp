@@ -95,7 +95,7 @@ std::vector<Entry> read_entries(const TomlReader& file, bool may_be_said) {
     return entries;
 }
 
-/// The only one of the entries that is wanted; none where there is none.
+/// The only one of the entries that is wanted; null where there is none.
 /// @throws UserError where there are two
 template <class Wanted>
 const Entry* only_entry(const std::vector<Entry>& entries, Wanted wanted, const std::string& face,

@@ -37,8 +37,8 @@ void admit(const OutsideCode& code, const std::filesystem::path& folder, double 
 ///
 /// Loading a library runs its start-up code: load only what is trusted.
 /// @param folder  base of a relative `path`
-/// @throws IoError where the file cannot be read; UserError where it is no plug-in, of another version of the
-///   interface, has a name that is taken, or was changed since it was loaded
+/// @throws IoError where the file cannot be read; UserError where it is not a plug-in, is of another version of the
+/// interface, has a name that is taken, or was changed since it was loaded
 std::vector<const samplers::CatalogueEntry*> load_plugin(const std::filesystem::path& path,
                                                          const std::filesystem::path& folder = {});
 

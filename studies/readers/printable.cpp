@@ -19,7 +19,7 @@ constexpr std::array unprintable{CodeRange{0x00, 0x1f},     CodeRange{0x7f, 0x9f
                                  CodeRange{0x200e, 0x200f}, CodeRange{0x2028, 0x202e}, CodeRange{0x2066, 0x2069},
                                  CodeRange{0xfeff, 0xfeff}, CodeRange{0xfff9, 0xfffb}, CodeRange{0xe0000, 0xe007f}};
 
-/// A character, or a byte that is none.
+/// A character, or a byte that is not part of one.
 struct Character {
     std::string_view bytes;
     std::uint32_t code = 0;

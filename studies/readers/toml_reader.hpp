@@ -77,7 +77,7 @@ class TomlReader {
     }
 
   private:
-    /// Fails at a text that is none of those, or is missing.
+    /// Fails at a text that is not among those names, or is missing.
     [[noreturn]] void refuse_name(std::string_view key, std::span<const std::string_view> names) const;
 
     const toml::table* table_;

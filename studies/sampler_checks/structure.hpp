@@ -32,7 +32,7 @@ struct SetStructure {
     std::vector<CoordinateStructure> coordinates;
     std::uint64_t cells_a_side = 0;    ///< k where n = k^d, d > 1; else 0
     std::uint64_t single_cells = 0;    ///< cells that hold one point, of these n
-    std::optional<std::uint32_t> t;    ///< empty where n is no power of the base, or large
+    std::optional<std::uint32_t> t;    ///< empty where n is not a power of the base, or is large
     std::vector<PairStructure> pairs;  ///< every two coordinates, where `t` is there and d > 2
     bool lattice = false;              ///< false for very large sets, too
 };

@@ -60,9 +60,9 @@ std::optional<SamplerCheck> nearly_latin(const StructureEvidence& evidence) {
                     worst, n, coordinate, broken, evidence.sets.size())};
 }
 
-/// In every set a shift modulo 1 would make every coordinate fill its slices, and without it some do not. Independent
-/// points are so with a probability below n! / n^(n - 1), 1e-11 of 32 points. At sizes that are no power of two a
-/// lattice in base 2 is so, too, as with 96 = 64 + 32 points.
+/// In every set a shift modulo 1 would make every coordinate fill its slices, and without it some do not. For
+/// independent points the probability of this is below n! / n^(n - 1), 1e-11 for 32 points. At sizes that are not a
+/// power of two it also holds for a lattice in base 2, such as one of 96 = 64 + 32 points.
 std::optional<SamplerCheck> shifted_slices(const StructureEvidence& evidence) {
     const std::uint64_t n = evidence.drawn.points;
     if (!std::has_single_bit(n) || !is_telling_size(n, evidence.drawn.dimension)) return std::nullopt;
@@ -126,7 +126,7 @@ std::optional<SamplerCheck> partly_random(const StructureEvidence& evidence, std
                     d, counts.shared, evidence.drawn.points, (n - 1) / 2, 100 * (1 - std::sqrt(1 - fine)))};
 }
 
-/// In every set: a shift that happens to be harmless for the digits of one is no fault.
+/// In every set: a shift that happens to be harmless for the digits of one is not a fault.
 std::optional<SamplerCheck> shifted_net(const StructureEvidence& evidence) {
     if (evidence.drawn.sets < least_for_shift) return std::nullopt;
     std::uint32_t before = 0;

@@ -164,7 +164,7 @@ void SceneBuilder::append(Surface surface, std::uint64_t line) {
     double size = 0;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         const Extent along = extent(surface, Vector3d::Unit(axis));
-        // Written so that what is no number fails as well.
+        // Written so that NaN fails as well.
         if (!(std::max(std::abs(along.low), std::abs(along.high)) <= largest_length)) {
             fail(line, fmt::format("{} reaches beyond {:g}. Use another unit of length.", owner(surface.face),
                                    largest_length));
@@ -240,7 +240,7 @@ void SceneBuilder::turn_surfaces() {
     }
 }
 
-/// Of surfaces of a face that are the same, one is kept. Two that face opposite ways are the sides of a thin plate.
+/// Keeps one of several identical surfaces of a face. Two that face opposite ways are the sides of a thin plate.
 void SceneBuilder::leave_out_doubles() {
     std::vector<std::pair<std::uint64_t, std::size_t>> prints;
     for (std::size_t i = 0; i < scene_.surfaces.size(); ++i)

@@ -26,9 +26,9 @@ struct Digits {
 
 /// More are what a double has that was not rounded to digits.
 constexpr int most_digits = 14;
-/// As many tell single-precision numbers apart.
+/// This many digits distinguish all single-precision numbers.
 constexpr int digits_of_single = 9;
-/// Fewer are meant so.
+/// Coordinates with fewer digits are taken to be exact.
 constexpr int fewest_digits = 6;
 /// So many digits are those of coordinates up to 8 times as large as the scene, beyond which it counts as far away.
 constexpr double largest_unit = 8e-5;

@@ -249,7 +249,7 @@ void add_orientation(const Scene& scene, SceneDoubts& doubts) {
         return;
     }
     if (leaks) {
-        // What passes through a small gap is measured with the form factors, and is no fault below their tolerance.
+        // What passes through a small gap is measured with the form factors, and is not a fault below their tolerance.
         constexpr double small = 0.01;
         const bool is_small = static_cast<double>(lost) <= small * static_cast<double>(rays);
         (is_small ? doubts.notes : doubts.faults)

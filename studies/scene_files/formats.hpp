@@ -29,7 +29,7 @@ ZoneScene read_energyplus_scene(std::string_view name, std::string_view text, co
 template <>
 inline constexpr auto names_of<Facing> = name_table(Named{Facing::outward, "outward"}, Named{Facing::inward, "inward"});
 
-/// Groups of this name are in the way, and are no faces.
+/// Groups of this name are occluders rather than faces.
 inline constexpr std::string_view occluder_group = "occluder";
 
 /// Whether a file name ends so, in letters of either case. @param extension  in small letters

@@ -170,7 +170,7 @@ class ObjReader {
         return names_[polygon.owners.group] == occluder_group || names_[polygon.owners.object] == occluder_group;
     }
 
-    /// How many different names the polygons have that are no occluders.
+    /// How many different names the polygons that are not occluders have.
     template <class Member>
     [[nodiscard]] std::size_t count(Member member) const {
         std::unordered_set<std::size_t> different;
@@ -180,7 +180,7 @@ class ObjReader {
         return different.size();
     }
 
-    /// Where it is not said what a face is, it is what tells polygons apart: groups, or else materials.
+    /// Where nothing says what a face is, it is whatever distinguishes polygons: groups, or else materials.
     void choose_faces() {
         if (!faces_.empty()) return;
         faces_ = "group";

@@ -17,8 +17,8 @@ struct Winding {
     std::vector<int> undecided;  ///< faces of which as much faces one way as the other, and nothing tells which
 };
 
-/// Of polygons that are joined by edges with exactly two of them, those with the smaller area are turned; where both
-/// have the same, those that see more of other faces once they are turned.
+/// Among polygons that are joined by edges which exactly two of them share, those with the smaller total area are
+/// turned; where the areas are equal, those that see more of other faces once they are turned.
 Winding find_winding(const Scene& scene);
 
 /// Two faces that run through a common edge in the same direction: one of them may face the wrong way.

@@ -105,7 +105,7 @@ stats::KnownLimits known_limits(const Method& method, const Scene& scene, Subdiv
     const bool is_sum = info.points == PointsServe::pairs && subdivision.m != 1;
     if (only_surface(scene, from) && only_surface(scene, to) && !is_sum)
         limits.largest_part = info.largest_value / independent_parts(method, evaluations);
-    // Too few hits are no test in any case, where they are counted.
+    // Too few hits test nothing in any case, where hits are counted.
     if (info.observes == Observes::hits && has_one_surface_a_face(scene)) return limits;
     const double terms = is_sum && std::isfinite(info.largest_value) ? static_cast<double>(subdivision.per_part()) : 1;
     // A point and its mirror image may miss the same places.

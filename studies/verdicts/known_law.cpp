@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 3> families{"uniform", "normal", "exponen
 constexpr std::array<std::string_view, 3> examples{"uniform(0, 1)", "normal(0, 1)", "exponential(1)"};
 constexpr std::array<std::size_t, 3> parameters{2, 2, 1};
 
-/// What stands between the brackets; empty where something is no finite number.
+/// The numbers between the brackets; empty where one of them is not a finite number.
 std::vector<double> numbers_of(std::string_view text) {
     std::vector<double> numbers;
     for (const std::string_view part : split_at(',', text)) {

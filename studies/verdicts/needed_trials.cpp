@@ -15,7 +15,7 @@ namespace {
 /// Below, normal approximations and a kurtosis mean little, and the far quantiles of t are very far.
 constexpr std::uint64_t fewest_trials = 32;
 
-/// More than this is no number of trials that anybody runs.
+/// Nobody runs more trials than this.
 constexpr double most_trials = 1e15;
 
 std::optional<std::uint64_t> whole(double trials) {

@@ -51,7 +51,7 @@ wait_until() {
 }
 is_over_or() { is_over || "$@"; }
 
-# a_unit_is_saved OUT: by a run that goes on, told by the log of its store.
+# a_unit_is_saved OUT: by a run that continues; the log of its store shows it.
 a_unit_is_saved() { [ -n "$(find "$1" -name results.sqlite-wal -size +64k 2>/dev/null)" ]; }
 
 # try_again WHAT: counts in a loop around what may be over before something is done to it on its way.

@@ -3,7 +3,7 @@
 #include <cctype>
 #include <string_view>
 
-/// Whether a CSV or JSON text has a word that C++ prints for what is no number.
+/// Whether a CSV or JSON text has a word that C++ prints for NaN or infinity.
 inline bool has_no_number(std::string_view text) {
     for (const char* word : {",nan", ",-nan", ",inf", ",-inf", ": nan", ": inf", ": -inf", ": NaN", ": Infinity"}) {
         const std::string_view sought = word;

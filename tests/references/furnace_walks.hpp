@@ -10,10 +10,10 @@
 namespace ff::test {
 
 /// Random walks through the furnace of docs/scenes.md with the materials of docs/heat.md: a room of 4 x 3 x 2.5 with a
-/// block of 1 x 1 x 1.5 on its floor. A walk begins on the block, goes on in directions by the cosine law, and ends on
-/// the block (emissivity 0.8) or on the roof (0.6); the other faces are adiabatic and send on all. A face has one
-/// radiosity: what it sends on leaves it from anywhere. No form factor, no system of equations, and nothing of this
-/// project: walks are independent, so that the number of those that end on the roof is binomial.
+/// block of 1 x 1 x 1.5 on its floor. A walk begins on the block, continues in directions by the cosine law, and ends
+/// on the block (emissivity 0.8) or on the roof (0.6); the other faces are adiabatic and pass everything on. A face has
+/// one radiosity: what it passes on leaves it from anywhere. No form factor, no system of equations, and nothing of
+/// this project: walks are independent, so that the number of those that end on the roof is binomial.
 class FurnaceWalks {
   public:
     explicit FurnaceWalks(std::uint64_t seed) : engine_(seed) {}

@@ -9,7 +9,7 @@ namespace ff::test {
 
 /// The two risks of a statistical assertion. It fails when the data contradict the claim (a false alarm has
 /// probability `alpha`) and also when they are too noisy, or too few, to have noticed an effect of size `detects` with
-/// probability `power`: a test that could not fail is no test.
+/// probability `power`: a test that cannot fail is worthless.
 struct StatisticalRisk {
     double alpha = 1e-6;
     double detects = 0;   ///< effect that must not go unnoticed, in units of the quantity itself; > 0

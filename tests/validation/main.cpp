@@ -65,7 +65,7 @@ class Options {
     }
 
     /// Leaves a number as it is where none was given.
-    /// @throws UserError for what is no number from `least` to `most`
+    /// @throws UserError for a text that is not a number from `least` to `most`
     template <class Number>
     void read(const std::string& option, Number& number, Number least, Number most) {
         const std::string value = text(option);

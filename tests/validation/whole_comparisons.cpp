@@ -68,7 +68,7 @@ StudyPlan plan_of_five(std::uint64_t trials) {
     return test::plan_of(text);
 }
 
-/// The statements of a study that tell methods apart, by what they are about.
+/// The statements of a study that distinguish methods, by subject.
 /// @param better  by which the errors of the first method are multiplied, and their slope is steeper
 std::map<std::string, bool> statements(const Equals& equals, std::uint64_t trials, std::uint64_t study,
                                        double better = 1) {
@@ -108,8 +108,8 @@ std::map<std::string, bool> statements(const Equals& equals, std::uint64_t trial
 
 class WholeComparisons : public testing::TestWithParam<Equals> {};
 
-// By Student's t of the logarithms 5 of 12 studies of the last kind tell variances apart at 30 trials. Risks, of each
-// statement and number of trials: false alarm 1e-4; a rate of .7 is noticed with power .99 (nightly .13 or .17).
+// By Student's t of the logarithms 5 of 12 studies of the last kind find different variances at 30 trials. Risks, of
+// each statement and number of trials: false alarm 1e-4; a rate of .7 is noticed with power .99 (nightly .13 or .17).
 TEST_P(WholeComparisons, SeldomTellEqualMethodsApart) {
     for (const std::uint64_t trials : {10u, 30u, 100u, 400u}) {
         const std::uint64_t studies = trials == 30 ? test::repetitions(12, 400) : test::repetitions(0, 200);

@@ -20,8 +20,8 @@ std::string finding_in_words(const studies::ClassSlopes& found);
 /// Smallest and largest size of a ladder, and the number of sizes: "64 … 65536 (11)".
 std::string sizes_text(const studies::StudyPlan& plan, const studies::Ladder& ladder);
 
-/// For each class of pairs who converges fastest and slowest, as far as that is told apart, then how many rates are as
-/// expected; empty without ladders.
+/// For each class of pairs, which methods converge fastest and slowest, as far as they can be distinguished, then how
+/// many rates are as expected; empty without ladders.
 std::vector<std::string> slopes_in_brief(const studies::StudyResults& results);
 
 }  // namespace ff::reports

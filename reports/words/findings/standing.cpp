@@ -18,7 +18,7 @@ namespace {
 using studies::Ranked;
 using studies::StudyResults;
 
-/// Those that cannot be told apart from the best.
+/// The methods that cannot be distinguished from the best.
 struct Leaders {
     std::vector<std::string> names;
     double best = 0;
@@ -31,7 +31,7 @@ struct Leaders {
     [[nodiscard]] std::string everyone() const {
         return names.size() < 5 ? listed(names) : fmt::format("all {} methods", names.size());
     }
-    /// Of several: "a and b have the smallest errors and cannot be told apart".
+    /// Words for several leaders: "a and b have the smallest errors and cannot be told apart".
     [[nodiscard]] std::string tied(std::string_view lead) const {
         return fmt::format("{} cannot be told apart", all ? everyone() : fmt::format("{} {} and", listed(names), lead));
     }

@@ -13,9 +13,9 @@
 namespace ff::reports {
 
 /// Who comes first and who last, of methods that are measured side by side. Nothing else in the reports may say so. A
-/// name stands only for what is told apart at the study's level over all pairs of methods (studies/comparison/ranking),
-/// which pays for having picked the best, or the worst, of many: the first of those that no other is, the last where it
-/// differs from every other.
+/// method is named only where it can be distinguished at the study's level over all pairs of methods
+/// (studies/comparison/ranking), which pays for having picked the best, or the worst, of many: the first of those that
+/// no other is, the last where it differs from every other.
 
 /// One of the methods that a ranking shows.
 struct RankedMethod {

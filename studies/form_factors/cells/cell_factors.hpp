@@ -49,8 +49,8 @@ struct Quadrilateral {
     [[nodiscard]] double most_area() const;
     /// Across its longer sides.
     [[nodiscard]] std::array<Quadrilateral, 2> halves() const;
-    /// Of the image in a plane. Its size is such that two places are no farther apart than this, times their distance
-    /// in the square over the farthest there.
+    /// Extent of the image in a plane. Its size is such that two places are no farther apart than this size, times
+    /// their distance in the square over the largest distance there.
     [[nodiscard]] PartExtent extent() const;
 
   private:
@@ -71,7 +71,7 @@ class RoundSource {
     /// Upper bound of the stretch in a part of the rectangle.
     [[nodiscard]] double most_stretch(const Quadrilateral& part) const;
 
-    /// Of what a part of the rectangle stands for.
+    /// Extent of the part of the surface that a part of the rectangle stands for.
     [[nodiscard]] PartExtent extent(const Quadrilateral& part, const Eigen::Vector3d& origin) const;
 
   private:
@@ -125,7 +125,7 @@ class CellFactors {
 
     /// The source where it is round.
     [[nodiscard]] const std::optional<RoundSource>& round() const { return round_; }
-    /// Of the corners of cells on a polygon.
+    /// Corners of cells on a polygon are relative to this place.
     [[nodiscard]] const Eigen::Vector3d& origin() const { return origin_; }
     [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 

@@ -123,7 +123,7 @@ class CellSampling {
     }
 };
 
-/// Of two surfaces.
+/// The exchange area of two surfaces.
 CellSum cell_sum(const CellPair& pair, const CellLimits& limits, Stream stream) {
     DividedSource source(pair, limits);
     if (source.cells().empty()) return {};

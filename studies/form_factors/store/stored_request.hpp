@@ -39,7 +39,7 @@ class StoredKeys {
     /// @throws IoError unless `sound`
     void expect(bool sound, std::string_view what) const;
 
-    /// @throws IoError where there is none of the key
+    /// @throws IoError where the key has none
     [[nodiscard]] std::string text(std::string_view key) const;
     [[nodiscard]] double real(std::string_view key) const;
     [[nodiscard]] std::uint64_t count(std::string_view key) const;

@@ -48,7 +48,7 @@ void for_each_object(std::string_view file, std::string_view text, const Visit& 
                             excerpt(values[0].text)));
 }
 
-/// Major and minor number, as 906 for 9.6. @return nothing where it is no version
+/// Major and minor number, such as 906 for 9.6. @return empty where the text is not a version
 std::optional<unsigned> version_number(std::string_view text) {
     const auto parts = split_at('.', text);
     const auto major = parse_number<unsigned>(parts[0]);

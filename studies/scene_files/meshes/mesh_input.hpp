@@ -80,7 +80,7 @@ class MeshInput {
     /// @throws UserError unless so many tuples may follow, each of at least so many numbers of at least so many bytes
     void expect_room(std::uint64_t tuples, std::uint64_t components, std::size_t bytes) const;
 
-    /// @throws UserError where an index, which has just been read, is none of so many points
+    /// @throws UserError where an index that has just been read is out of range for this many points
     void expect_index(std::int64_t index, std::uint64_t points) const;
 
     [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
@@ -96,7 +96,7 @@ class MeshInput {
     std::size_t at_ = 0;
 
     void skip_blanks();
-    /// @param problem  with a word that is no such number
+    /// @param problem the problem of a word that is not such a number
     template <class Number>
     Number number_in_text(std::string_view problem);
     /// The bytes of a binary number, those of least value first.

@@ -14,7 +14,7 @@ std::string as_word(std::string_view name) {
         const auto byte = static_cast<unsigned char>(c);
         if (std::isspace(byte) != 0 || std::iscntrl(byte) != 0 || c == '|') c = '_';
     }
-    // OBJ files have comments after #, and lines that go on after a backslash.
+    // OBJ files have comments after #, and lines that continue after a backslash.
     if (word.starts_with('#')) word.front() = '_';
     if (word.ends_with('\\')) word.back() = '_';
     return word;

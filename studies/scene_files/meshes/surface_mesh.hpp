@@ -32,7 +32,7 @@ class SurfaceMesh {
     [[nodiscard]] std::size_t point_count() const { return points_.size(); }
 
     /// Adds a polygon. @param cell  names it in messages: "cell 3"
-    /// @throws UserError where it has fewer than three corners, or one that is no point, or is not finite
+    /// @throws UserError where it has fewer than three corners, or one that is not a point or is not finite
     void add_polygon(std::string_view group, std::span<const std::int64_t> corners, std::string_view cell);
 
     void leave_out_volume_cell() { ++volume_cells_; }

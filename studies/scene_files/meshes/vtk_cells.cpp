@@ -160,7 +160,7 @@ CellCorners points_of_cell(std::string_view file, const VtkCells& cells, std::si
     return CellCorners(cells.points).subspan(begin, end - begin);
 }
 
-/// The array that tells faces apart; empty where none does, and all polygons are one face.
+/// The array that distinguishes faces; empty where none does, and all polygons are one face.
 std::optional<std::string> choose_array(SurfaceMesh& mesh, const std::vector<VtkPiece>& pieces) {
     std::vector<std::string> names = common_arrays(pieces);
     const auto chosen =

@@ -42,7 +42,7 @@ struct VtkArray {
 
 /// Arrays of cells, sorted by what they are good for.
 struct VtkArrays {
-    std::vector<VtkArray> usable;      ///< may tell faces apart
+    std::vector<VtkArray> usable;      ///< arrays that may distinguish faces
     std::vector<std::string> others;   ///< names of those that cannot: of fractions, or several numbers for each cell
     std::vector<std::int64_t> hidden;  ///< vtkGhostType of each cell; empty: none is hidden
 
@@ -60,7 +60,7 @@ struct VtkPiece {
     VtkArrays arrays;
 };
 
-/// Adds the polygons of pieces to a mesh that has their points. Faces are told apart by the first array that every
+/// Adds the polygons of pieces to a mesh that has their points. Faces are distinguished by the first array that every
 /// piece has and that differs between polygons. Hidden and duplicate cells are left out. Notes say so.
 /// @throws UserError
 void add_pieces(SurfaceMesh& mesh, std::string_view file, const std::vector<VtkPiece>& pieces);

@@ -40,7 +40,7 @@ printf 'a\0b' >"$folder/null.toml"
 ffstudy run "$folder/null.toml"
 expect_refused 2 "null.toml:1:2: the byte 0x00 is not text"
 
-# What a spreadsheet would compute is no name; what only begins with a sign is.
+# A text that a spreadsheet would evaluate is not accepted as a name; one that only begins with a sign is.
 for name in '=1+1' '@SUM(A1)' '+A1*2' '-2+3' '=x'; do
     study cube "$name" >"$folder/study.toml"
     ffstudy run "$folder/study.toml"

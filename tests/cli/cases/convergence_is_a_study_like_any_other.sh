@@ -41,7 +41,7 @@ expect_refused 2 "estimator = 'shooting' is unknown"
 ffstudy convergence --sampler sobol --trials 1 --save-study mine.toml
 expect_refused 2 "trials"
 
-# A file that is no study file is not written over.
+# A file that is not a study file is not overwritten.
 echo precious >data.csv
 ffstudy convergence --sampler sobol --save-study data.csv --dry-run
 expect_status 2

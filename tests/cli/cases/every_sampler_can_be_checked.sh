@@ -21,7 +21,7 @@ expect_stderr "Use .npy, .csv, .dat or .svg."
 ffstudy points gauss_legendre --n 16 --out points.csv
 expect_status 2
 
-# A net is known by its t-value; with one point moved it is none any more.
+# A net is known by its t-value; with one point moved it is no longer a net.
 ffstudy points sobol --n 256 --d 2
 expect_status 0
 expect_stdout "t-value in base 2: 0"

@@ -82,7 +82,7 @@ for kind in study bands toml_scene obj vs3 tables baseline estimates store facto
     expect_refused 2 "'$files/$kind' is $(what $kind), not a command. Run 'ffstudy $(taken_by $kind "$files/$kind")'."
 done
 
-# What has no ending of a scene, and what is no file at all.
+# A file without the extension of a scene, and something that is not a file at all.
 ffstudy form_factors "$files/study"
 expect_refused 2 "a study file (expected a scene file). Run 'ffstudy run $files/study'."
 ffstudy form_factors "$files/obj"

@@ -88,7 +88,7 @@ ffstudy check "$folder/bands.toml" --out whole
 expect_status 3
 expect_stderr "whole/context.json: not replaced (it is of another study)."
 
-# A folder of an earlier version, which has no list of what was written, goes on as before.
+# A folder of an earlier version, which has no list of what was written, works as before.
 for folder_of in whole matrix gates enclosure; do rm $folder_of/.ffstudy.files; done
 rm gates/summary.*
 for arguments in "report whole" "run $folder/study.toml --out whole" "form_factors cube --out matrix" \

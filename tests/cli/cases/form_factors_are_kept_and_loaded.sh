@@ -39,7 +39,7 @@ expect_status 0
 expect_equal_files "$folder/repaired" "$folder/stdout"
 expect_same repaired later
 
-# It can be repaired in its own folder; a file that a killed run has left there is no obstacle.
+# It can be repaired in its own folder; a file that a killed run left there does not prevent it.
 : >plain/.ffstudy-part-0
 ffstudy form_factors --load plain --repair --out plain --quiet
 expect_status 0

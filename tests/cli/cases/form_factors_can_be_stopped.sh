@@ -2,8 +2,8 @@
 # A signal ends form_factors in order: what is known is written, and holds. A second one ends it at once.
 source "$(dirname "$0")/../harness.sh"
 
-# Of this scene F 1-2 is known; hours would pass before it is found to within the tolerance. The level is such that an
-# interval misses it once in a million runs.
+# F 1-2 of this scene is known; finding it to within the tolerance would take hours. The level is such that an interval
+# misses it once in a million runs.
 exact=$("$program" list configurations | awk '$1 == "discs_blocked" {print; exit}' | grep -oE '0\.[0-9]{12,}')
 
 # start OUT WORK: begins it, and returns when it has used so much processor time, in hundredths of a second.
@@ -55,7 +55,7 @@ stopped_at_once() {
 until stopped_at_once; do try_again "expected nothing to be left by a second signal"; done
 expect_status 130
 
-# Time that is over is no interruption.
+# Running out of time is not an interruption.
 ffstudy form_factors discs_blocked --tolerance 1e-6 --max-samples 1000000000000 --max-time 0.1 --out in_time
 expect_status 4
 expect_stdout "Stopped before the sampling was done"

@@ -81,7 +81,7 @@ done
 expect_status 0
 expect_same_results whole stopped
 
-# A grid of one part is none.
+# A grid of one part is the same as no grid.
 sed -i 's/^grid = .*/grid = [1, 1]/' room.toml
 ffstudy run study.toml --out ones
 expect_status 0

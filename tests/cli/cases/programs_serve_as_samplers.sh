@@ -79,7 +79,7 @@ for form in raw npy; do
     expect_equal_files text.csv $form.csv
 done
 
-# Reports run nothing; an interrupted study goes on only with the same program.
+# Reports run nothing; an interrupted study continues only with the same program.
 cp a/summary.csv before.csv
 mv mine.py other.py
 ffstudy report a

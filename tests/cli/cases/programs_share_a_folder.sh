@@ -14,8 +14,8 @@ patient() {
     if [ $status -eq 3 ] && grep -q ": in use (" "$folder/stderr.$BASHPID"; then patient "$@"; else return $status; fi
 }
 
-# Who has the folder is said, after ten seconds, to one that waits for it in vain. That goes on beside what follows, and
-# the one that has it does nothing more.
+# After ten seconds, a program that waits for the folder in vain is told which one has it. It waits while the rest runs,
+# and the one that has it does nothing more.
 long_study >"$folder/long.toml"
 begin run "$folder/long.toml" --threads 1 --out taken
 wait_until test -s taken/results.sqlite-wal

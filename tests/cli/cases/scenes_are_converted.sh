@@ -17,7 +17,7 @@ for next in 1.vs3 2.toml 3.obj; do
     before=$next
 done
 
-# Of a unit sphere in a larger one with 64 facets around: all of the inner one's radiation reaches the outer one.
+# A unit sphere in a larger one, with 64 facets around each: all radiation of the inner one reaches the outer one.
 cat >spheres.toml <<'END'
 closed = true
 [[surface]]

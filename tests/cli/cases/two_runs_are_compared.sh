@@ -72,7 +72,7 @@ assert value['runs'] == ['a', 'broken'] and 'is better' in value['verdict']
 assert any(cell['differs'] and cell['rmse'][0]['interval']['low'] > 0 for cell in value['cells'])" "$folder/stdout" ||
     fail "expected the same as JSON"
 
-# Folders of one name are told apart by those above them.
+# Folders with the same name are distinguished by their parent folders.
 mkdir -p old new
 cp -r a old/run
 cp -r other_seed new/run

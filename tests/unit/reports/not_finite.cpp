@@ -1,4 +1,4 @@
-// Infinity and what is no number never reach a report as numbers.
+// Infinity and NaN never reach a report as numbers.
 
 #include "reports/csv/csv.hpp"
 #include "reports/json/json.hpp"
@@ -35,7 +35,7 @@ studies::Store store_with(double value) {
         });
 }
 
-/// Whether a text has a number that is none, as printf, fmt and JSON readers spell it.
+/// Whether a text contains NaN or infinity, as printf, fmt and JSON readers spell them.
 bool has_no_number(const std::string& text) {
     static const std::regex words(R"((^|[^a-z])-?(nan|inf|infinity)([^a-z]|$))", std::regex::icase);
     return std::regex_search(text, words);

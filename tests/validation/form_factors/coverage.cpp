@@ -46,7 +46,7 @@ std::vector<ExactPair> known_pairs(const Scene& scene, const FacePairs& geometry
 /// Whether the interval, shrunk towards the value, holds the exact one.
 /// @param accuracy  of the exact one, relative
 bool interval_holds(const FaceExchange& exchange, double exact, double shrink, double accuracy = 1e-15) {
-    const double room = accuracy * std::abs(exact);  // the last digits of a double are no matter of coverage
+    const double room = accuracy * std::abs(exact);  // coverage does not depend on the last digits of a double
     return exchange.value - shrink * (exchange.value - exchange.low) - room <= exact &&
            exact <= exchange.value + shrink * (exchange.high - exchange.value) + room;
 }

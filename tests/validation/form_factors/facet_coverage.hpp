@@ -30,7 +30,8 @@ FacetCoverageOptions small_facets();
 /// Entries that one method gave, or sums of rows.
 struct FacetKind {
     std::string name;
-    /// Of one entry of each pair, so that entries are independent: the two claims, then the same scene by scene.
+    /// Rates over one entry of each pair, so that entries are independent: the two claims, then the same scene by
+    /// scene.
     RateTable rates;
     stats::Proportion inside;          ///< of all entries with all seeds
     stats::Proportion beyond;          ///< two half widths

@@ -72,7 +72,7 @@ TEST(GradedPair, HasTheContactAtZeroOfItsGradedCoordinates) {
 
 // 200 000 kernel values each; the generalised Pareto law of the largest 2000 has a standard error of about .035.
 // Theory and measurement are 4 standard errors apart by chance once in 15 000 runs; the indices themselves (shapes
-// .667, .5, .4, and 0 or less) are told apart: a map that did nothing would miss by 7 standard errors at an edge.
+// .667, .5, .4, and 0 or less) are distinguished: a map that did nothing would miss by 7 standard errors at an edge.
 TEST(GradedMap, HasTheTailIndexOfTheory) {
     constexpr std::uint32_t trials = 200000;
     for (const auto& [shift, contact] : {std::pair{0.0, Contact::edge}, std::pair{1.0, Contact::vertex}}) {

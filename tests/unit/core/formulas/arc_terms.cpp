@@ -22,7 +22,7 @@ TEST(ArcTerms, AreAnglesTimesCosines) {
     std::vector<double> expected;
     while (!arcs.is_full()) {
         const Vector3d a(draw(-1, 1), draw(-1, 1), draw(-1, 1));
-        // Of all sizes, from a right angle down to a billionth of one.
+        // Arcs of all sizes, from a right angle down to a billionth of one.
         const Vector3d b = a + std::exp(draw(-20, 1)) * Vector3d(draw(-1, 1), draw(-1, 1), draw(-1, 1));
         const Vector3d across = a.cross(b);
         expected.push_back(std::atan2(across.norm(), a.dot(b)) * across.normalized().dot(normal));

@@ -240,7 +240,7 @@ TEST(RoomsWithoutExactFactors, AreReported) {
     open.closed = false;
     EXPECT_FALSE(exact_room_factors(open));
     Scene bulging =
-        test::faces_of({test::wall(somewhere, tilted, 1, 2, Facing::inward),  // a waist is no convex room
+        test::faces_of({test::wall(somewhere, tilted, 1, 2, Facing::inward),  // a room with a waist is not convex
                         test::wall(somewhere - tilted, tilted, 2, 1, Facing::inward),
                         test::disc(somewhere - tilted, tilted, 2), test::disc(somewhere + tilted, -tilted, 2)},
                        true);

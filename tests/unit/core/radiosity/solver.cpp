@@ -75,7 +75,7 @@ TEST(EverySolver, RecognisesDivergence) {
         EXPECT_EQ(run.outcome, SolverOutcome::diverged) << name(solver);
         EXPECT_LT(run.iterations(), 2000u) << name(solver);
     }
-    // Elimination finds a solution, but one that is no exitance: light is negative.
+    // Elimination finds a solution, but not a possible exitance: light is negative.
     EXPECT_EQ(solve(system, Solver::lu).outcome, SolverOutcome::converged);
     EXPECT_LT(solve(system, Solver::lu).exitance.minCoeff(), 0);
 }

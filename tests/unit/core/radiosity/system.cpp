@@ -8,8 +8,8 @@
 namespace ff {
 namespace {
 
-// In a closed box where all patches emit and reflect alike nothing tells them apart: m = e / (1 - rho), whatever F is,
-// as long as its rows sum to 1.
+// In a closed box where all patches emit and reflect alike, nothing distinguishes them: m = e / (1 - rho), whatever F
+// is, as long as its rows sum to 1.
 TEST(RadiositySystem, HasTheFurnaceSolutionForIdenticalPatches) {
     for (const double reflectance : {0.0, 0.1, 0.9, 0.999}) {
         // Rounding is magnified by the condition of G, (1 + rho) / (1 - rho) or less.

@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(Round, ClosedScene,
                                          Closed{"dome", test::domed_frustum}, Closed{"sleeve", test::sleeve}),
                          [](const auto& scene) { return scene.param.name; });
 
-// The second attempt does not mend a hole: the can's lid is smaller by 1e-4, a thousand float roundings.
+// The second attempt does not close a hole: the can's lid is smaller by 1e-4, a thousand float roundings.
 TEST(SecondAttempt, StillFindsHoles) {
     Scene scene = test::closed_can();
     std::get<Disc>(scene.surfaces[1].shape).outer_radius *= 1 - 1e-4;

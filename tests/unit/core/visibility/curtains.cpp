@@ -49,7 +49,7 @@ TEST(Curtains, HideWhatNoneOfTheirWallsHidesAlone) {
     EXPECT_FALSE(are_hidden(unit_cube(), beside(-1, 0.1), beside(-1.5, 0.1))) << "both are on one side of it";
 }
 
-// Of the two walls on either side, each pair is a curtain of its own; what the lines do not reach may be missing.
+// Each pair of the two walls on either side is a curtain of its own; walls that the lines do not reach may be missing.
 TEST(Curtains, NeedNotBeClosed) {
     std::vector<Surface> sides = unit_cube();
     EXPECT_TRUE(are_hidden({sides[2], sides[4]}, beside(-1, 0.1), beside(1, 0.1)));

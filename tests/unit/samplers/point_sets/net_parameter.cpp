@@ -38,7 +38,7 @@ TEST(NetParameter, IsLargeForRandomPointsAndGrowsWhenOneIsMoved) {
     EXPECT_GT(net_parameter(net, 0, 2), 0u);
 }
 
-// Without its first point the sequence is no net [owen2022].
+// Without its first point the sequence is not a net [owen2022].
 TEST(NetParameter, IsPositiveWhereTheOriginIsMissing) {
     EXPECT_GT(net_parameter(point_set_of("sobol_raw", 256, 2), 0, 2), 0u);
 }

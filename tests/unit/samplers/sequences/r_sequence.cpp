@@ -32,7 +32,7 @@ TEST(RSequence, StepsByPowersOfTheGeneralisedGoldenRatio) {
 }
 
 TEST(RSequence, HasGapsOfThreeLengthsAtMostInEachCoordinate) {
-    // The three-gap theorem for multiples of any number; the lengths are told apart to some 2^-32.
+    // The three-gap theorem for multiples of any number; lengths are distinguished to some 2^-32.
     const PointBlock block = r_sequence_points({.key = {1, 2}, .trial = 9}, 4, 0, 625);
     for (std::size_t d = 0; d < max_dimension; ++d) {
         std::vector<std::uint32_t> sorted(block.coordinate[d].begin(), block.coordinate[d].begin() + 625);

@@ -31,7 +31,7 @@ TEST(Distributions, HaveTheTailsOfNoncentralChiSquared) {
     expect_close(noncentral_chi_squared_tail(9500, 1000, 8000, true), 0.0036936537419317715);
     expect_close(noncentral_chi_squared_tail(8500, 1000, 8000, false), 0.003011820243562718);
     EXPECT_NEAR(noncentral_chi_squared_tail(21500, 1e4, 1e4, true) / 1.007094634350099e-09, 1, 0.01);
-    // Of a large lambda the root is normal: 1e10 + 8e5 is 4 of its standard deviations away.
+    // For a large lambda the square root is normal: 1e10 + 8e5 lies 4 of its standard deviations away.
     EXPECT_NEAR(noncentral_chi_squared_tail(1e10 + 8e5, 3, 1e10, true) / normal_tail(4), 1, 1e-3);
     EXPECT_EQ(noncentral_chi_squared_tail(0, 3, 2, true), 1);
     EXPECT_EQ(noncentral_chi_squared_tail(1e9, 3, 1, true), 0);

@@ -59,7 +59,7 @@ TEST(Resample, DrawsOnlyGivenValues) {
               100);
 }
 
-// Of 20 normal values Student's t exceeds 2.861 in .005 of samples. The check is exact up to the pool's own error.
+// Student's t of 20 normal values exceeds 2.861 in .005 of samples. The check is exact up to the pool's own error.
 TEST(ResampledT, IsStudentsTForNormalValuesAndSkewedForSkewedOnes) {
     Draws draws(draws_key, Resampling::simulation, 1);
     std::vector<double> normal(20'000);

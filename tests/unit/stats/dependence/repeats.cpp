@@ -138,8 +138,8 @@ std::vector<double> to_digits(std::vector<double> values, int digits) {
     return values;
 }
 
-// Of 100 runs of each kind none is refused: where a kind were refused with a probability of 0.1 %, this would be seen
-// with one of 0.1 for that kind. Before, nearly all of the shares and sums were.
+// None of 100 runs of each kind is refused: a kind that is refused with a probability of 0.1 % would be noticed with a
+// probability of 0.1. An earlier rule refused nearly all of the shares and sums.
 TEST(FindRepeats, AccusesNoHonestEstimatesOfFewDigitsOrFewValues) {
     std::mt19937_64 engine(12);
     std::normal_distribution<double> normal;

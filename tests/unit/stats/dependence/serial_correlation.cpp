@@ -35,8 +35,8 @@ TEST(SerialTest, HoldsForSkewedValues) {
     EXPECT_TRUE(test::has_probability_at_most(alarms, 4000, 0.055, {.alpha = 1e-4, .detects = 0.03}));
 }
 
-// Of values that are nearly all equal chi-squared tails are far off: 4 % of these series have p < 1e-3 by them. Risks:
-// false alarm 1e-4; .01 is noticed with power .99.
+// Chi-squared tails are far off for values that are nearly all equal: by them, 4 % of these series have p < 1e-3.
+// Risks: false alarm 1e-4; .01 is noticed with power .99.
 TEST(SerialTest, HoldsFarOutForRareValues) {
     std::mt19937_64 engine(5);
     std::bernoulli_distribution rare(0.02);

@@ -64,8 +64,8 @@ TEST(MinimumDetectableBias, ShrinksAsTheRootOfManyTrials) {
                 1e-5);
 }
 
-// Of 400 pairs of skewed samples whose means are as far apart as is said to be detected, about 360 are found. Fewer
-// than 335, five standard deviations less, would have a probability below 1e-6.
+// A difference is found in about 360 of 400 pairs of skewed samples whose means differ by the detectable difference.
+// Fewer than 335, five standard deviations less, would have a probability below 1e-6.
 TEST(DetectableDifference, IsFoundWithThePowerWhereTrialsAreSkewed) {
     std::mt19937_64 random(1);
     std::lognormal_distribution<double> skewed(0, 0.5);

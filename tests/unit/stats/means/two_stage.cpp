@@ -50,7 +50,7 @@ std::vector<double> run_two_stages(const Law& law, double half_width, Pilot& pil
     return values;
 }
 
-/// The rule that looks natural and is wrong: go on until Student's interval is short enough.
+/// The rule that looks natural and is wrong: continue until Student's interval is short enough.
 Moments run_until_it_looks_short(const Law& law, double half_width) {
     Moments all;
     for (int i = 0; i < 5; ++i) all.add(law());

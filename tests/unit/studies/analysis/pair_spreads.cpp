@@ -45,7 +45,8 @@ PairSpreads spreads_of_trials(Law law, std::size_t trials, double factor, std::m
     return spreads_of(std::move(logarithms));
 }
 
-/// Comparisons in which some pair's standard deviations are told apart, at 5 % over all tests of means and of these.
+/// Comparisons in which some pair's standard deviations are found to differ, at 5 % over all tests of means and of
+/// these.
 std::uint64_t told_apart(Law first, Law second, std::size_t trials, int comparisons, double factor = 1) {
     std::mt19937_64 engine(trials);
     std::uint64_t found = 0;

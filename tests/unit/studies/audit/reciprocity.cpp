@@ -274,7 +274,7 @@ TEST(Reciprocity, BlamesThePlantedFigureOfIndependentRays) {
     }
 }
 
-// Of 20 000 rays each: 0.08525 is 3.7 standard deviations above F 2-4 = 0.0782183, and 0.05815 is 4.0 below F 4-2 =
+// With 20 000 rays each, 0.08525 is 3.7 standard deviations above F 2-4 = 0.0782183, and 0.05815 is 4.0 below F 4-2 =
 // 0.0651819, which chance may do; but 400 * 0.08525 and 480 * 0.05815 differ by 5.5 of theirs.
 TEST(Reciprocity, IsKeptByIndependentRaysWithinChance) {
     const auto audited = [](const std::string& there, const std::string& back) {

@@ -30,8 +30,8 @@ TEST(GroupsApart, AreEmptyForNoValues) {
     EXPECT_TRUE(groups_apart({}, 0.95).empty());
 }
 
-/// 14 values of the same mean are told apart in at most 5 % of cases: 400 repetitions give 20 on average, and more than
-/// 40 with probability 1e-5. Without the correction for pairs, the least and the largest differ in more than half.
+/// 14 values of the same mean are distinguished in at most 5 % of cases: 400 repetitions give 20 on average, and more
+/// than 40 with probability 1e-5. Without the correction for pairs, the least and the largest differ in more than half.
 TEST(GroupsApart, AreASingleGroupForIndistinguishableValues) {
     std::mt19937_64 random(20250);
     std::normal_distribution<double> normal;

@@ -27,7 +27,7 @@ using Eigen::Vector3d;
 
 constexpr double cells_level = 0.95;
 constexpr std::uint64_t estimates = 60;
-/// Of 60: rates of 0.95 would be held, 0.8 would be noticed with probability 0.9.
+/// With 60 estimates, a rate of 0.95 passes, and one of 0.8 is noticed with probability 0.9.
 const test::StatisticalRisk cells_risk{.alpha = 1e-3, .detects = 0.2, .power = 0.9};
 
 /// The first two surfaces of a scene as faces, and what may stand between them.
@@ -244,7 +244,7 @@ Scene round_scene(stats::Draws& draws, bool ball_alone) {
     return scene;
 }
 
-/// Of a triangle seen from the origin. @see van Oosterom and Strackee, 1983
+/// Solid angle of a triangle seen from the origin. @see van Oosterom and Strackee, 1983
 double solid_angle(const Triangle& triangle) {
     const auto [a, b, c] = std::tuple(triangle.a, triangle.b, triangle.c);
     const double below =

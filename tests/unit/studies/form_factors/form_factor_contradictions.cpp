@@ -47,7 +47,7 @@ struct Outcome {
     std::uint64_t held = 0;  ///< of these, intervals that hold the exact value
 };
 
-/// Of two discs, which are sampled by rays.
+/// The outcome for two discs, which are sampled by rays.
 Outcome outcome(float hole, std::uint64_t sound_rays = 0) {
     const Scene scene = built_in_scene("discs_blocked");
     const double exact = *known_form_factor(scene, 0, 1);

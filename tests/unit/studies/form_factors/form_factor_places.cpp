@@ -150,7 +150,7 @@ TEST(FormFactorPlaces, DoNotMatterForAFurnishedRoom) {
     }
 }
 
-/// Of a closed room with walls that stand upright.
+/// The plan of a closed room with upright walls.
 struct Plan {
     std::vector<std::pair<double, double>> outline;  ///< counterclockwise
     std::vector<std::vector<std::size_t>> floor;     ///< convex parts, corners from 0

@@ -190,7 +190,7 @@ TEST(FormFactors, StayBelowTheUnoccludedValue) {
     const Matrix seen = find_matrix(two, request);
     EXPECT_EQ(method_of(seen.exchange(0, 1)), "cells");
     EXPECT_LT(seen.exchange(0, 1).high, 1e-13);
-    // For rays, that none arrives is no proof.
+    // That no ray arrives proves nothing.
     request.cells = false;
     const FaceExchange exchange = find_matrix(two, request).exchange(0, 1);
     EXPECT_LT(exchange.value, 1e-13);

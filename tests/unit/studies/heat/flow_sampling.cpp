@@ -34,7 +34,7 @@ TEST(FlowSampling, MeetsTheToleranceForEveryPower) {
         EXPECT_TRUE(found.flows.within(tolerance));
         EXPECT_LE(found.flows.worst, tolerance.power(found.flows.throughput));
         EXPECT_GT(found.samples, 0u);
-        // The reference holds at level 1 - 1e-6, the flows at 0.95 and above: seed 1 is no rare one.
+        // The reference holds at level 1 - 1e-6, the flows at 0.95 and above: seed 1 is not a rare exception.
         const Bounds power = found.flows.faces[face_of(scene, "block")].power;
         EXPECT_LE(power.low, furnace_power().high);
         EXPECT_GE(power.high, furnace_power().low);

@@ -58,7 +58,7 @@ TEST(Promises, HoldForSamplersThatMakeThem) {
         EXPECT_TRUE(broken(promise, drawn("random", 256, 4))) << promise;
 }
 
-// Of so many points some lie within 2^-32 of a boundary of their slice, on either side of it.
+// Some of this many points lie within 2^-32 of a boundary of their slice, on either side of it.
 TEST(Promises, HoldForPointsThatChancePutsOnABoundary) {
     SamplerCheckRequest request{.points = 59049, .dimension = max_dimension, .trials = 8};
     request.promises = {parse_promise("latin")};

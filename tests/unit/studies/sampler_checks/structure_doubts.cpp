@@ -109,7 +109,7 @@ TEST(StructureDoubts, FindTheFirstPointDropped) {
     EXPECT_THAT(doubts.front(), HasSubstr("62 of 64 slices of coordinate 1 have one point; 100 of 100 sets"));
 }
 
-// Of hypercubes of up to four points more; one of five more is beyond what the check looks for.
+// The check looks for hypercubes with up to four more points; it does not find one with five more.
 TEST(StructureDoubts, FindPointsLeftOutOfALargerLatinHypercube) {
     for (std::size_t more = 1; more <= 5; ++more) {
         const auto doubts = doubts_of(

@@ -26,7 +26,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-/// By its content. @throws UserError where it is none that the project reads
+/// By its content. @throws UserError where the project cannot read it
 std::string as_obj(const std::string& name, std::string_view bytes) {
     const MeshKind* const kind = mesh_kind(bytes);
     if (kind == nullptr || kind->read == nullptr) throw UserError("no such mesh");

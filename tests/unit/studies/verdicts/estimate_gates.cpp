@@ -126,7 +126,7 @@ int count_spreads(Verdict verdict, int files, std::size_t trials, double sigma, 
     return count;
 }
 
-// Of 300 sound files at α = 1e-4 more than 2 fail with probability 5e-6.
+// At α = 1e-4, more than 2 of 300 sound files fail with probability 5e-6.
 TEST(JudgeEstimates, DoesNotFailTheSpreadOfSkewedTrials) {
     for (const std::size_t trials : {30u, 60u, 100u})
         EXPECT_LE(count_spreads(Verdict::fail, 300, trials, 1, 1, {1 / 1.1, 1.1}), 2) << trials;

@@ -31,9 +31,9 @@ std::pair<ClaimVerdict, ClaimVerdict> verdicts(const FacetCoverage& coverage, co
     return {verdict_of(kind->rates.rates[0], coverage.level), verdict_of(kind->rates.rates[1], coverage.level)};
 }
 
-// Of 16 claims one is said to fail by chance with probability 0.05 at most, if rates are just as claimed (fixed seeds).
-// Of some 40 entries of a kind 0.72 inside would be noticed with probability 0.9, or 0.1 beyond two half widths;
-// nightly, of some 600, 0.9 and 0.014.
+// If rates are just as claimed, some of the 16 claims is refuted by chance with probability 0.05 at most (fixed seeds).
+// With some 40 entries of a kind, a rate of 0.72 inside, or of 0.1 beyond two half widths, would be noticed with
+// probability 0.9; nightly, with some 600 entries, rates of 0.9 and 0.014.
 TEST(FacetCoverage, ReachesWhatIsStated) {
     const FacetCoverage coverage = coverage_of_facets(1, 0);
     EXPECT_EQ(coverage.contradictions(), 0u);
