@@ -110,7 +110,7 @@ class WholeComparisons : public testing::TestWithParam<Equals> {};
 
 // By Student's t of the logarithms 5 of 12 studies of the last kind find different variances at 30 trials. Risks, of
 // each statement and number of trials: false alarm 1e-4; a rate of .7 is noticed with power .99 (nightly .13 or .17).
-TEST_P(WholeComparisons, SeldomTellEqualMethodsApart) {
+TEST_P(WholeComparisons, SeldomDistinguishEqualMethods) {
     for (const std::uint64_t trials : {10u, 30u, 100u, 400u}) {
         const std::uint64_t studies = trials == 30 ? test::repetitions(12, 400) : test::repetitions(0, 200);
         if (studies == 0) continue;
@@ -128,7 +128,7 @@ TEST_P(WholeComparisons, SeldomTellEqualMethodsApart) {
 }
 
 // The same statements where the first method errs half as much as the others, and its error falls as 1 / N.
-TEST(WholeComparisons, TellUnequalMethodsApart) {
+TEST(WholeComparisons, DistinguishUnequalMethods) {
     for (std::uint64_t study = 0; study < 5; ++study) {
         for (const auto& [about, told] : statements(all_equals[0], 100, study, 0.5)) EXPECT_TRUE(told) << about;
     }

@@ -166,7 +166,7 @@ TEST(SceneFamilies, RefuseInvalidMeasures) {
     }
 }
 
-TEST(HiddenShare, GrowsWithTheBlocker) {
+TEST(OccludedFraction, GrowsWithTheBlocker) {
     double last = -1;
     for (const std::string edge : {"0", "0.3", "0.6", "1"}) {
         const Scene scene = built_in_scene("squares_blocked:" + edge);

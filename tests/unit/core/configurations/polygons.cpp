@@ -28,7 +28,7 @@ TEST(RectanglesAtAngle, CloseAsAPrism) {
     EXPECT_THROW(rectangles_at_angle_factor(1, 0, 1, 1), UserError);
 }
 
-TEST(Tetrahedron, SharesAmongThreeFaces) {
+TEST(Tetrahedron, SendsAThirdToEachOtherFace) {
     EXPECT_PRED3(test::near, tetrahedron_factor(), 1 / 3.0L, 1e-17L);
 }
 

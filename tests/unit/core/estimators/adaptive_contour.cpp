@@ -37,7 +37,7 @@ TEST(AdaptiveContour, ClaimsAtLeastItsError) {
     }
 }
 
-TEST(AdaptiveContour, TakesTriangles) {
+TEST(AdaptiveContour, AcceptsTriangles) {
     const Scene scene = *configuration_scene("tetrahedron");
     EXPECT_NEAR(test::observe<AdaptiveContour>(scene, 1, 900).estimates(0, 1), 1.0 / 3, 1e-6);
 }

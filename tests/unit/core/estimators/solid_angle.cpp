@@ -33,7 +33,7 @@ TEST(SphericalTriangle, KeepsItsDigitsWhereItIsSmall) {
     EXPECT_LT(area * 2 * height * height, 1);
 }
 
-TEST(SphericalTriangle, HasAllOfTheHemisphereFromAPlaceOnTheTriangle) {
+TEST(SphericalTriangle, FillsTheHemisphereFromAPlaceOnTheTriangle) {
     const Vector3d a{1, 0, -1e-12}, b{-0.5, 0.8, -1e-12}, c{-0.5, -0.8, -1e-12};
     EXPECT_NEAR(2 * seen(a, b, c).half_area, 2 * std::numbers::pi, 1e-10);
 }

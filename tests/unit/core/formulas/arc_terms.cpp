@@ -33,7 +33,7 @@ TEST(ArcTerms, AreAnglesTimesCosines) {
     for (std::size_t k = 0; k < expected.size(); ++k) EXPECT_NEAR(terms[k], expected[k], 1e-15) << k;
 }
 
-TEST(ArcTerms, AreNoneForArcsWithoutLength) {
+TEST(ArcTerms, AreZeroForArcsWithoutLength) {
     Arcs arcs;
     arcs.add({1, 2, 3}, {2, 4, 6});
     arcs.add({0, 0, 0}, {1, 0, 0});

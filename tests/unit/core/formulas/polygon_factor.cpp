@@ -88,7 +88,7 @@ RC_GTEST_PROP(PolygonFactor, MatchesTheTextbookFormulaForAWallOnThePlane, ()) {
     RC_ASSERT(std::abs(factor(x, d, wall(0, 1, 0, 0, c)) - expected) < 4e-16);
 }
 
-TEST(PolygonFactor, ComparesWithTheFormulasToTheLastDigits) {
+TEST(PolygonFactor, AgreesWithTheFormulasToTheLastDigits) {
     const double right = static_cast<double>(expected_ceiling(0.25, 0.5, 0, 1, 0, 1, 1));
     const double wrong = static_cast<double>(expected_ceiling(0.25 + 1e-14, 0.5, 0, 1, 0, 1, 1));
     const double found = factor(0.25, 0.5, ceiling(0, 1, 0, 1, 1));
@@ -134,7 +134,7 @@ RC_GTEST_PROP(PolygonFactor, SumsTo1OverTheOtherFacesOfABox, ()) {
     RC_ASSERT(std::abs(sum - 1) < 2e-15);
 }
 
-TEST(PolygonFactor, SumsTo1HoweverNearToEdgesAndCorners) {
+TEST(PolygonFactor, SumsTo1HoweverCloseToEdgesAndCorners) {
     const auto faces = other_faces(1, 2, 3);
     for (const double dx : {0x1p-33, 0x1p-20, 1e-3, 0.5, 1 - 0x1p-33}) {
         for (const double dy : {0x1p-33, 0x1p-20, 1e-3, 1.0, 2 - 0x1p-32}) {

@@ -100,7 +100,7 @@ TEST(BuiltInScene, NamesTheSameGeometryTheSameWhateverTheUserCallsIt) {
     EXPECT_NE(built_in_scene("box:1x2x3").canonical, built_in_scene("box:1x3x2").canonical);
 }
 
-TEST(BuiltInScene, TellsNeighbouringNumbersApart) {
+TEST(BuiltInScene, DistinguishesNeighbouringNumbers) {
     EXPECT_EQ(make_box(1, 1, 0.1).canonical, "box a=1 b=1 c=0.1");
     EXPECT_NE(make_box(1, 1, std::nextafter(0.1, 1)).canonical, make_box(1, 1, 0.1).canonical);
 }

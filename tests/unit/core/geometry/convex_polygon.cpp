@@ -19,7 +19,7 @@ TEST(ConvexPolygon, HasAnAreaAndDistances) {
     EXPECT_DOUBLE_EQ(distance({0, 3, 4}, {-1, 0, 0}, {1, 0, 0}), 5);
 }
 
-TEST(ConvexPolygon, IsOutlinedAroundItsNormal) {
+TEST(ConvexPolygon, IsOutlinedCounterClockwiseAroundItsNormal) {
     const Surface above{Parallelogram{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 0, 1}};
     const Surface below{above.shape, {0, 0, -1}};
     EXPECT_EQ(outline(above), square);

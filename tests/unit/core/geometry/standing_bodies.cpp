@@ -125,7 +125,7 @@ std::vector<Surface> shell(const std::vector<Surface>& outside, bool in_triangle
     return both;
 }
 
-TEST(StandingBodies, ExcludeShellsWithTwoSides) {
+TEST(StandingBodies, ExcludeFloatingTwoSidedShells) {
     for (const bool in_triangles : {false, true}) {
         for (const std::size_t sides : {6U, 5U}) {  // with and without the bottom, which is last
             std::vector<Surface> box = body({1, 1, 1}, {1, 2, 0.5}, 1);
@@ -141,7 +141,7 @@ TEST(StandingBodies, ExcludeShellsWithTwoSides) {
     }
 }
 
-TEST(StandingBodies, AreShellsWithTwoSidesToo) {
+TEST(StandingBodies, IncludeTwoSidedShells) {
     for (const bool in_triangles : {false, true}) {
         const Scene scene = [&] {
             Scene standing = floor_with(shell(body({1.5, 1, 0}, {1, 2, 0.5}, 1), in_triangles));

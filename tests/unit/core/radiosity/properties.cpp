@@ -75,7 +75,7 @@ TEST(FactorProperties, HaveNoDefectForExactFactors) {
     EXPECT_NEAR(properties.dominant_below(), 1, 1e-14);
 }
 
-TEST(FactorProperties, TellClosureAndReciprocityApart) {
+TEST(FactorProperties, DistinguishClosureFromReciprocity) {
     const Eigen::MatrixXd direct = test::shot_factors(100, 3);
     const Eigen::VectorXd areas = test::lit_cube(0).areas;
     const FactorProperties of_direct = factor_properties(direct, areas);

@@ -37,7 +37,7 @@ TEST(NormalisedRows, SumToOne) {
     EXPECT_EQ(normalise_rows(Eigen::MatrixXd::Zero(2, 2)), Eigen::MatrixXd::Zero(2, 2));
 }
 
-TEST(BalancedFactors, AreReciprocalClosedAndNowhereNegative) {
+TEST(BalancedFactors, AreReciprocalClosedAndNonnegative) {
     const RadiositySystem box = test::lit_box();
     const Eigen::VectorXd rays = Eigen::VectorXd::Constant(6, 30);
     std::mt19937_64 engine(1);

@@ -30,7 +30,7 @@ TEST(ChildProcess, RunsInTheGivenFolderWithoutInput) {
     EXPECT_EQ(output.output, "/\n");
 }
 
-TEST(ChildProcess, TellsASignalFromAnExitCode) {
+TEST(ChildProcess, DistinguishesASignalFromAnExitCode) {
     const auto output = shell("kill -SEGV $$");
     EXPECT_EQ(output.end, ChildOutput::End::killed);
     EXPECT_EQ(output.code, SIGSEGV);

@@ -27,7 +27,7 @@ std::vector<std::uint32_t> probes_of(bool randomised, const Result& result, cons
     return trials;
 }
 
-TEST(Repeatable, ResultsThatDifferByTheSeedAreSeenAtOnce) {
+TEST(Repeatable, ResultsThatDifferBySeedAreAcceptedAtOnce) {
     EXPECT_EQ(probes_of(
                   true, [](std::uint32_t trial) { return trial; }, always_telling),
               (std::vector<std::uint32_t>{0, 0, 1}));
@@ -37,12 +37,12 @@ TEST(Repeatable, ResultsThatDifferByTheSeedAreSeenAtOnce) {
               2u);
 }
 
-TEST(Repeatable, EqualResultsOfTwoSeedsAccuseNobody) {
+TEST(Repeatable, EqualResultsOfTwoSeedsAreNotRefused) {
     const auto fourth = [](std::uint32_t trial) { return trial % 4 == 3; };
     EXPECT_EQ(probes_of(true, fourth, always_telling), (std::vector<std::uint32_t>{0, 0, 1, 2, 3}));
 }
 
-TEST(Repeatable, EqualResultsOfTenSeedsAccuseUnlessNothingHappened) {
+TEST(Repeatable, EqualResultsOfTenSeedsAreRefusedUnlessNothingHappened) {
     const auto same = [](std::uint32_t) { return 5; };
     EXPECT_THROW(probes_of(true, same, always_telling), UserError);
     EXPECT_EQ(probes_of(true, same, [](int result) { return result != 5; }), (std::vector<std::uint32_t>{0, 0, 1}));

@@ -45,7 +45,7 @@ double opposite_discs(double a, double b) {
 }
 
 // All rays from the upper disc that would end beneath the sheet end on it: F12 - F(disc to 0.8 disc).
-TEST(DoubleTracer, LetsNoRayThroughASheetHoweverNear) {
+TEST(DoubleTracer, LetsNoRayThroughASheetHoweverClose) {
     const double expected = opposite_discs(1, 1) - opposite_discs(1, 0.8);
     const double rays = blocks_per_surface * block_capacity;
     // Five standard errors: by chance in 6e-7 of runs; a transparent sheet is 140 of them away.

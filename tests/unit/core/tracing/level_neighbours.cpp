@@ -58,7 +58,7 @@ RayEnds shoot_from_every_surface(const Scene& scene) {
     return ends;
 }
 
-TEST(LevelNeighbours, CatchNoRayInARoom) {
+TEST(LevelNeighbours, DoNotCatchRaysInARoom) {
     const RayEnds ends = shoot_from_every_surface(turned_mosaic(make_box(1, 1, 1), 40));
     EXPECT_EQ(ends.received, std::uint64_t{6} * 40 * 40 * block_capacity);
     EXPECT_EQ(ends.from_behind, 0u);
@@ -66,7 +66,7 @@ TEST(LevelNeighbours, CatchNoRayInARoom) {
 }
 
 // Nothing outside a block receives its rays: they all leave, past the neighbours across its edges.
-TEST(LevelNeighbours, CatchNoRayFromABlock) {
+TEST(LevelNeighbours, DoNotCatchRaysFromABlock) {
     Scene block = inside_out(turned_mosaic(make_box(1, 1, 1), 40));
     block.closed = false;
     const RayEnds ends = shoot_from_every_surface(block);

@@ -42,7 +42,7 @@ TEST(ClosedMeshes, MayHaveDents) {
     }
 }
 
-TEST(ClosedMeshes, LackNoSide) {
+TEST(ClosedMeshes, HaveNoMissingSide) {
     std::vector<Surface> sides = octahedron({0, 0, 1});
     sides.pop_back();
     EXPECT_EQ(meshes_of(sides).size(), 0u);

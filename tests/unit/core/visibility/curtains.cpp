@@ -57,7 +57,7 @@ TEST(Curtains, NeedNotBeClosed) {
     EXPECT_FALSE(are_hidden({sides[2], sides[5]}, beside(-1, 0.1), beside(1, 0.1))) << "no edge in common";
 }
 
-TEST(Curtains, ReachNoEnd) {
+TEST(Curtains, MustNotReachAnEnd) {
     const std::vector<Surface> sides = unit_cube();
     EXPECT_TRUE(are_hidden({sides[2], sides[4]}, beside(-0.6, 0.01), beside(1, 0.1)));
     EXPECT_FALSE(are_hidden({sides[2], sides[4]}, beside(-0.5, 0.1), beside(1, 0.1))) << "it lies across their edge";

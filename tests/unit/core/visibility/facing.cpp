@@ -19,7 +19,7 @@ TEST(Facing, NeedsSomeOfEachSurfaceInFrontOfTheOther) {
     EXPECT_TRUE(face_each_other(floor, test::rectangle("0:1 0:0 -1:1 +y"))) << "partly above the horizon";
 }
 
-TEST(Facing, SeesWhichFacesAreCutByThePlaneOfTheOther) {
+TEST(Facing, FindsFacesCutByThePlaneOfTheOther) {
     const auto floor_and = [](const char* other) {
         Scene scene = scene_of({test::rectangle("0:1 0:1 0:0 +z"), test::rectangle(other)});
         return are_partly_behind(scene, 0, 1) && are_partly_behind(scene, 1, 0);
@@ -44,7 +44,7 @@ TEST(Convexity, FailsWhereOcclusionIsPossible) {
     EXPECT_FALSE(is_convex(with_screen));
 }
 
-TEST(Convexity, NeedsNoClosedScene) {
+TEST(Convexity, DoesNotRequireAClosedScene) {
     EXPECT_TRUE(is_convex(scene_of({test::rectangle("0:1 0:1 0:0 +z"), test::rectangle("0:1 0:1 1:1 -z")})));
     EXPECT_FALSE(is_convex(scene_of({test::rectangle("0:1 0:1 0:0 +z"), test::rectangle("0:1 0:1 1:1 +z")})));
     EXPECT_FALSE(is_convex(scene_of({test::rectangle("0:1 0:1 0:0 +z"), test::rectangle("0:1 0:0 -1:1 +y")})));

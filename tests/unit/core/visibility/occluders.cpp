@@ -228,7 +228,7 @@ TEST(Occluders, HideWhatLiesInThePlaneOfASideOfABody) {
 }
 
 // A cave with a body in it: only what the body turns to a wall hides anything from it.
-TEST(Occluders, OfAMeshFaceOneEnd) {
+TEST(Occluders, InAMeshFaceOneEnd) {
     std::mt19937 engine(3);
     Scene scene;
     add_tiles(scene, {-2, -2, -3}, {4, 0, 0}, {0, 4, 0}, 1);

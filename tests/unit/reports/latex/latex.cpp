@@ -126,7 +126,7 @@ TEST(LatexReport, IncludesEveryTableOnce) {
         EXPECT_TRUE(paths.contains(path)) << path;
 }
 
-TEST(LatexReport, KeepsTablesApartWhoseNamesAreAlike) {
+TEST(LatexReport, SeparatesTablesWithSimilarNames) {
     studies::StudyResults results = test::published_results();
     results.published->tables.tables[0].id = "methods";
     std::set<std::string> paths;

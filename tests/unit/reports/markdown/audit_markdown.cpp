@@ -31,7 +31,7 @@ TEST(AuditMarkdown, SaysSoWhereNothingIsWrong) {
     EXPECT_THAT(text, testing::Not(HasSubstr("## Findings")));
 }
 
-TEST(AuditSummary, HasOneLineAFinding) {
+TEST(AuditSummary, HasOneLinePerFinding) {
     const auto tables = studies::read_published_tables(test::paper_tables_file());
     const auto report = studies::audit::examine(tables);
     const std::string text = audit_summary(tables, report);

@@ -63,7 +63,7 @@ TEST(ErrorsAtSizes, RankMethodsAndNameSizesThatDiffer) {
     EXPECT_THAT(json::parse(pictures[1].values).dump(), Not(HasSubstr("strata (")));
 }
 
-TEST(ErrorsAtSizes, RankNoUnrandomisedPointSet) {
+TEST(ErrorsAtSizes, DoNotRankUnrandomisedPointSets) {
     const auto pictures =
         errors_at_sizes(studies::evaluate(test::run(test::plan_of(test::study_text("trials = 40", R"([[method]]
 name = "raw"

@@ -46,7 +46,7 @@ TEST(TerminalSummary, SaysThatItIsPartial) {
     EXPECT_THAT(terminal_summary(results), HasSubstr("PARTIAL"));
 }
 
-TEST(TerminalPlan, TellsWorkAndTime) {
+TEST(TerminalPlan, StatesWorkAndTime) {
     const auto& plan = test::small_results().findings.plan;
     const std::string one = terminal_plan(plan, 1);
     EXPECT_THAT(one, HasSubstr("work units"));

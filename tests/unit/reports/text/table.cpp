@@ -12,7 +12,7 @@ Table table(std::vector<std::vector<TableCell>> rows) {
     return made;
 }
 
-TEST(Columns, AreOfNumbersOrMinorAsTheSignsBeforeTheirTitlesSay) {
+TEST(Columns, AreNumericOrMinorAsTheSignsBeforeTheirTitlesSay) {
     const auto made = columns({"method", ">slope", "~theory", ">~p", ""});
     ASSERT_EQ(made.size(), 5u);
     const std::vector<std::string> titles{made[0].title, made[1].title, made[2].title, made[3].title, made[4].title};

@@ -61,7 +61,7 @@ TEST(Answer, BeginsWithThePremise) {
     EXPECT_THAT(text, HasSubstr("times by the printed ones"));
 }
 
-TEST(Answer, RanksSlopesThatCanBeToldApart) {
+TEST(Answer, RanksSlopesThatCanBeDistinguished) {
     const auto results = results_of("trials = 40", R"([[method]]
 name = "random"
 sampler = "random"
@@ -145,7 +145,7 @@ nodes = 16
     EXPECT_THAT(answer(results).text, StartsWith("On parallel and adjacent pairs contour is exact to rounding."));
 }
 
-TEST(InBrief, RepeatsNoClause) {
+TEST(InBrief, DoesNotRepeatClauses) {
     const auto results = results_of("trials = 30", R"([[method]]
 name = "contour"
 estimator = "contour"

@@ -75,7 +75,7 @@ TEST(Parts, OfExactNetsShowAPointThatIsMoved) {
 }
 
 // Points anywhere lie in a cell with a boundary by chance, and some of many on either side of it.
-TEST(Parts, LeaveAPointOpenThatChanceHasPutOnABoundary) {
+TEST(Parts, LeaveOpenAPointThatChancePutOnABoundary) {
     constexpr std::uint64_t n = 59049;
     PointSet set{n, 1, 1, {}};
     for (std::uint64_t i = 0; i < n; ++i) set.coordinate.push_back(word_of((static_cast<double>(i) + 0.5) / n));

@@ -127,7 +127,7 @@ TEST(SizeLadder, TakesPowersOfTwoWhereEverySizeWillDo) {
 }
 
 // k^4: of 4096 = 8^4 and 6561 = 9^4, both between 2^12 and 2^13, the smaller
-TEST(SizeLadder, TakesOneFullGridAnOctave) {
+TEST(SizeLadder, TakesOneFullGridPerOctave) {
     EXPECT_THAT(ladder(Sizes::fourth_power, 64, 10'000), ElementsAre(81, 256, 625, 1296, 2401, 4096, 10'000));
     EXPECT_THAT(ladder(Sizes::fourth_power, 64, 600, 2), ElementsAre(64, 144, 256, 529));
 }

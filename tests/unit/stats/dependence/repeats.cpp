@@ -140,7 +140,7 @@ std::vector<double> to_digits(std::vector<double> values, int digits) {
 
 // None of 100 runs of each kind is refused: a kind that is refused with a probability of 0.1 % would be noticed with a
 // probability of 0.1. An earlier rule refused nearly all of the shares and sums.
-TEST(FindRepeats, AccusesNoHonestEstimatesOfFewDigitsOrFewValues) {
+TEST(FindRepeats, DoesNotAccuseHonestEstimatesOfFewDigitsOrFewValues) {
     std::mt19937_64 engine(12);
     std::normal_distribution<double> normal;
     std::bernoulli_distribution nothing(0.5);
@@ -211,14 +211,14 @@ TEST(RepeatedTrials, AreFoundWhereFewSeedsAreUsed) {
     }
 }
 
-TEST(RepeatedTrials, AreNoneWhereOnlySomeSeriesRepeat) {
+TEST(RepeatedTrials, AreNotFoundWhereOnlySomeSeriesRepeat) {
     std::mt19937_64 engine(10);
     std::vector<double> coarse(100);
     for (std::size_t i = 0; i < coarse.size(); ++i) coarse[i] = std::sqrt(static_cast<double>(i % 5));
     EXPECT_EQ(repeated_of({coarse, test::normal_sample(100, engine)}), 0u);
 }
 
-TEST(RepeatedTrials, AreNoneAmongSoundOnes) {
+TEST(RepeatedTrials, AreNotFoundAmongSoundOnes) {
     std::mt19937_64 engine(11);
     std::bernoulli_distribution nothing(0.6);
     for (int i = 0; i < 300; ++i) {
@@ -242,7 +242,7 @@ TEST(RepeatedTrials, AreNoneAmongSoundOnes) {
     EXPECT_EQ(repeated_of({std::vector<double>(100, 0.2)}), 0u);
 }
 
-TEST(RepeatedTrials, AreNoneAmongShiftedAndWeightedCounts) {
+TEST(RepeatedTrials, AreNotFoundAmongShiftedAndWeightedCounts) {
     std::mt19937_64 engine(13);
     for (int i = 0; i < 100; ++i) {
         auto shifted = counted(30, 1000, 0.001, engine);
@@ -271,7 +271,7 @@ TEST(FindRepeats, CountsAllRepeatsOfTwoToFourRealValues) {
     }
 }
 
-TEST(RepeatedTrials, AreNoneAmongTwoValuesOfWhichOneIsNothing) {
+TEST(RepeatedTrials, AreNotFoundAmongZerosAndOneOtherValue) {
     std::mt19937_64 engine(12);
     std::bernoulli_distribution hit(0.4);
     std::vector<double> shadow(100);  // an exact factor, or 0 behind a blocker

@@ -37,7 +37,7 @@ TEST(SerialTest, HoldsForSkewedValues) {
 
 // Chi-squared tails are far off for values that are nearly all equal: by them, 4 % of these series have p < 1e-3.
 // Risks: false alarm 1e-4; .01 is noticed with power .99.
-TEST(SerialTest, HoldsFarOutForRareValues) {
+TEST(SerialTest, HoldsInTheFarTailForRareValues) {
     std::mt19937_64 engine(5);
     std::bernoulli_distribution rare(0.02);
     const auto alarms = test::count_events(2000, [&] {

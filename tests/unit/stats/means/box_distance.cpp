@@ -14,7 +14,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-TEST(DistanceToBox, IsMahalanobisDistanceOfAPoint) {
+TEST(DistanceToBox, IsTheMahalanobisDistanceToAPoint) {
     // (1, 0) C^-1 (1, 0)' with C = {{1, r}, {r, 1}}: 1 / (1 - r^2).
     const Numbers covariance{1, 0.6, 0.6, 1};
     EXPECT_NEAR(distance_to_box(Numbers{1, 0}, Numbers{0, 0}, Numbers{0, 0}, covariance).value(), 1 / 0.64, 1e-12);

@@ -65,7 +65,7 @@ std::uint64_t told_apart(Law first, Law second, std::size_t trials, int comparis
 
 // Risks: 1e-6 each; a rate of 30 %, where tests of distances from the median have 25 % to 99 %, is noticed with
 // power .99.
-TEST(PairSpreads, DoNotTakeShapesForStandardDeviations) {
+TEST(PairSpreads, DoNotMistakeShapesForStandardDeviations) {
     for (const std::size_t trials : {20u, 100u}) {
         for (const auto& [first, second] :
              {std::pair<Law, Law>(log_normal, normal), {on_two_sides, normal}, {on_two_sides, log_normal}}) {
@@ -78,12 +78,12 @@ TEST(PairSpreads, DoNotTakeShapesForStandardDeviations) {
 
 // A factor 2 on one of 30 pairs is found in four of five comparisons. Risks: 1e-6; a rate of 20 % is noticed with power
 // .99.
-TEST(PairSpreads, ShowAStandardDeviationThatIsDoubled) {
+TEST(PairSpreads, DetectADoubledStandardDeviation) {
     EXPECT_TRUE(test::has_probability_at_least(told_apart(normal, normal, 100, 100, 2), 100, 0.6, {.detects = 0.4}));
 }
 
 // What is said to be found is found in most comparisons. Risks: 1e-6; a rate of 40 % is noticed with power .99.
-TEST(PairSpreads, ShowWhatTheySayTheyWould) {
+TEST(PairSpreads, DetectWhatTheyClaimToDetect) {
     constexpr double level = 1 - 0.05 / (2 * pairs_of_cube);
     std::mt19937_64 engine(1);
     const PairSpreads a = spreads_of_trials(normal, 100, 1, engine);

@@ -115,7 +115,7 @@ TEST(Summary, HasNoSpreadForOneTrial) {
     EXPECT_FALSE(s.std || s.bias_interval || s.minimum_detectable_bias);
 }
 
-TEST(Summary, JittersCountsBeforeItAsksForNormality) {
+TEST(Summary, JittersCountsBeforeTestingNormality) {
     // Two neighbouring counts only: no continuous distribution, but half a hit of jitter fills the gap.
     std::array<double, 40> counts{};
     for (std::size_t i = 0; i < counts.size(); ++i) counts[i] = i % 2 == 0 ? 0.2 : 0.201;

@@ -123,7 +123,7 @@ std::vector<std::string> all_pairs(const std::string& printed) {
     return rows;
 }
 
-TEST(AuditOfShotTables, DoesNotTakeRoundedValuesForTooClose) {
+TEST(AuditOfShotTables, DoesNotFindRoundedValuesTooClose) {
     EXPECT_EQ(examine(figures_of_the_cube("rounded", 2, all_pairs("0.20"))).contradictions(), 0u);
     EXPECT_EQ(examine(figures_of_the_cube("rounded", 3, all_pairs("0.200"))).contradictions(), 0u);
     // Six digits of 250000 rays leave no room, and chance spreads them by 0.0008.

@@ -23,7 +23,7 @@ Matrix matrix_with(const std::string& surroundings) {
     return find_matrix(built_in_scene("squares_blocked"), request_with(surroundings));
 }
 
-TEST(Surroundings, AreOneFaceMoreThatReceivesWhatLeaves) {
+TEST(Surroundings, AreAnExtraFaceThatReceivesWhatLeaves) {
     const Matrix open = matrix_with("");
     const Matrix closed = matrix_with("sky");
     const std::size_t sky = open.faces();
@@ -59,7 +59,7 @@ TEST(Surroundings, LetAnOpenSceneBeRepaired) {
     EXPECT_EQ(matrix.repaired->outside, 0u);
 }
 
-TEST(Surroundings, ReceiveWhatIsNotDroppedEither) {
+TEST(Surroundings, ReceiveNothingOfDroppedPairs) {
     Request request = request_with("sky");
     request.drop = 0.5;  // all there is
     const Matrix matrix = find_matrix(built_in_scene("squares_blocked"), request);

@@ -84,7 +84,7 @@ TEST(SmoothParts, AreNotCutByTheSeamOfTwoBlockers) {
     EXPECT_EQ(parts_of(halves.pair(), many).size(), parts_of(whole.pair(), many).size());
 }
 
-TEST(SmoothParts, AreNoneWhereTheyWouldBeTooMany) {
+TEST(SmoothParts, AreEmptyWhereThereWouldBeTooMany) {
     Room room;
     room.blockers = {plate({0.2, 0.2, 0.5}, {0.3, 0.1, 0}, {0, 0.4, 0.1})};
     const std::size_t parts = parts_of(room.pair(), many).size();

@@ -27,7 +27,7 @@ double to_corner(double a, double b) {
     return (a / x * std::atan(b / x) + b / y * std::atan(a / y)) / (2 * std::numbers::pi);
 }
 
-TEST(PointFactors, AreThoseOfTheFormula) {
+TEST(PointFactors, MatchTheFormula) {
     const Scene scene = built_in_scene("box:2x3x1");  // of which the sixth face lies opposite the fifth
     for (const double x : {1e-3, 0.3, 1.0, 1.9}) {
         for (const double y : {0.1, 1.5, 2.99}) {

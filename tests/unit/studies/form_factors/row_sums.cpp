@@ -27,7 +27,7 @@ std::vector<PairEstimate> random_estimates(std::size_t count) {
     return result;
 }
 
-TEST(RowSums, AreThoseOfAllTerms) {
+TEST(RowSums, AddUpAllTerms) {
     const double area = 0.37;
     SampledSum all;
     RowSums sums({1.0, area}, {0.9, 0.99});

@@ -131,7 +131,7 @@ TEST(GateRun, DoesNotTestTooFewHits) {
 // Independent points: the rate is -1/2, and the spread what it was, whatever few points have met. Before the rule for
 // means judged these gates, all seeds failed of the first, and about half of the others. Risk of a false alarm: below
 // 1e-3 for each of 16 seeds of four gates; a rate of .3 is noticed with power .99 by each gate.
-TEST(GateRun, DecidesNoSpreadThatFewPointsMayNotShow) {
+TEST(GateRun, DoesNotDecideASpreadThatFewPointsMayNotShow) {
     const auto gate = [](std::string_view kind, std::string_view scene, std::string_view method, std::string_view lines,
                          int seed) {
         return parse_bands(fmt::format("[gates]\nlooks = 1\nseed = {}\n[[gate]]\nname = \"g\"\nkind = \"{}\"\nscene = "
@@ -211,7 +211,7 @@ TEST(PrepareGate, RefusesKindsThatDoNotFitTheMethod) {
     EXPECT_THAT(refusal_of_gate(one_gate("bias", "band = 0.1\npairs = \"1-7\"")), HasSubstr("has none of these"));
 }
 
-TEST(PrepareGate, TakesPairsByClassAndByName) {
+TEST(PrepareGate, AcceptsPairsByClassAndByName) {
     const auto effects = [](std::string_view lines) {
         return prepare_gate(one_gate("bias", fmt::format("band = 0.1\n{}", lines)), 0, GatePurpose::check, nullptr)
             .effects.size();

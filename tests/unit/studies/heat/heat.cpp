@@ -80,7 +80,7 @@ radius = 2
 facing = "inward"
 )";
 
-TEST(HeatFlows, ContainTheExactOneBetweenSpheres) {
+TEST(HeatFlows, ContainTheExactFlowBetweenSpheres) {
     const Scene scene = make_scene(source_of_file("spheres.toml", spheres_toml));
     const double exact = two_surfaces(4 * std::numbers::pi, 0.8, 600, 16 * std::numbers::pi, 0.5, 300);
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -187,7 +187,7 @@ TEST(HeatFlows, MatchTheRadiositySystemForLight) {
     EXPECT_NEAR(absorbed, 36, 1e-6);
 }
 
-TEST(HeatFlows, AreAtRestBetweenFacesOfOneTemperature) {
+TEST(HeatFlows, VanishBetweenFacesOfOneTemperature) {
     const char* const alike = "[materials]\n\"*\" = { emissivity = 0.7, temperature = 600 }\n";
     const auto rest = flows_of(furnace_scene(), alike, 1e-3);
     EXPECT_TRUE(rest.are_at_rest());

@@ -32,7 +32,7 @@ TEST(OutsideCode, IsFoundInStudiesAndBandsWithItsPlace) {
     EXPECT_TRUE(outside_code(study("sobol"), "s.toml").empty());
 }
 
-TEST(OutsideCode, IsNeverRunByReadingAStudy) {
+TEST(OutsideCode, IsNotRunByReadingAStudy) {
     const test::TemporaryFolder folder;
     const auto mark = folder.path() / "outside_code_was_run";
     const std::string text = study("command:touch " + mark.string());

@@ -105,7 +105,7 @@ TEST(ParsePublishedTables, PointsAtTheLine) {
 const std::string two_plates = R"(s.obj\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n)"
                                R"(g low-\nf 1 2 3 4\ng high-er\nf 8 7 6 5)";
 
-TEST(ParsePublishedTables, TakesAnyScene) {
+TEST(ParsePublishedTables, AcceptsAnyScene) {
     std::string text = replaced(R"("cube")", '"' + two_plates + '"');
     text.replace(text.find("F 1-6"), 5, "F low--high-er").replace(text.find("sum 2"), 5, "sum low-");
     const PublishedTables tables = parse_published_tables(text, "t.json");

@@ -139,7 +139,7 @@ TEST_F(Merge, RefusesADuplicateUnitWithDifferentContent) {
     }
 }
 
-TEST_F(Merge, TakesStoresOfAnEarlierVersion) {
+TEST_F(Merge, AcceptsStoresOfAnEarlierVersion) {
     const auto rows = rows_of_one_run();
     const std::vector parts{shard("part1", {1, 2}), shard("part2", {2, 2})};
     Database(parts[1], Database::Mode::create_or_open).execute(test::store_as_version_1);

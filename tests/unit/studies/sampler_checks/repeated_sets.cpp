@@ -20,7 +20,7 @@ std::vector<std::uint64_t> drawn_from(std::uint64_t sets, std::size_t trials, st
     return prints;
 }
 
-TEST(RepeatedSets, FailWhereTheyComeBackAtOneDistance) {
+TEST(RepeatedSets, FailWhereTheyRecurAtOneDistance) {
     std::mt19937_64 random(1);
     for (const std::size_t trials : {200U, 1000U, 20000U}) {
         for (const std::size_t distance : {std::size_t{1}, trials / 7, trials / 2}) {
@@ -48,7 +48,7 @@ TEST(RepeatedSets, FailWhereAFileWasWrittenTwice) {
 }
 
 // A sampler may have few different sets: 4 points in the middles of a Latin square have 24.
-TEST(RepeatedSets, PassWhereTheyComeBackByChance) {
+TEST(RepeatedSets, PassWhereTheyRecurByChance) {
     std::mt19937_64 random(3);
     for (int repetition = 0; repetition < 200; ++repetition) {
         for (const std::uint64_t sets : {1U, 2U, 6U, 24U, 720U, 40320U, 1000000U}) {

@@ -258,7 +258,7 @@ TEST(EnergyPlusFiles, HaveZonesThatAreTurnedAndShareWalls) {
                 HasSubstr("no zone or space is called 'Attic'. Zones are 'Left', 'Right'."));
 }
 
-TEST(EnergyPlusFiles, AreRemarkedUponWhereTheySayMore) {
+TEST(EnergyPlusFiles, GetRemarksOnWhatIsIgnored) {
     const std::string more = "InternalMass, desks, Wood, Zone One, , 20;\nConstruction:AirBoundary, Brick, None;\n" +
                              replaced(window("south wall"), ", , , , 1", ", , , Frame, 1");
     const auto remarks = read_zone(room() + more).remarks;

@@ -82,7 +82,7 @@ TEST(GmshFaces, AreBothSidesOfAPlateThatIsPhysicalInEitherDirection) {
     }
 }
 
-TEST(GmshFaces, HaveElementsThatAreThereTwiceOnce) {
+TEST(GmshFaces, HaveDuplicateElementsOnlyOnce) {
     const Scene scene = gmsh_scene(gmsh_2("1 2 2 5 1 1 2 3\n2 2 2 5 1 1 2 3\n"));
     EXPECT_THAT(scene.remarks, ElementsAre(HasSubstr("is a copy of another and is left out")));
 }
@@ -94,7 +94,7 @@ std::string two_triangles(const std::string& arrays) {
            arrays;
 }
 
-TEST(VtkFaces, AreToldApartByTheFirstArrayThatDiffersBetweenPolygons) {
+TEST(VtkFaces, AreDistinguishedByTheFirstArrayThatDiffersBetweenPolygons) {
     const Scene scene = vtk_scene(two_triangles(
         "SCALARS mat int 1\nLOOKUP_TABLE default\n1 1 4\nSCALARS part int 1\nlookup_table default\n3 4 0\n"));
     EXPECT_THAT(scene.faces, ElementsAre("part_3", "part_4"));
@@ -102,7 +102,7 @@ TEST(VtkFaces, AreToldApartByTheFirstArrayThatDiffersBetweenPolygons) {
                 ElementsAre("array 'part' tells its faces apart, as the first with several values; 'mat' is not used"));
 }
 
-TEST(VtkFaces, AreOneWithANoteWhereNoArrayTellsThemApart) {
+TEST(VtkFaces, AreOneFaceWithANoteWhereNoArrayDistinguishesThem) {
     const Scene fractions = vtk_scene(two_triangles("SCALARS part double 1\nlookup_table default\n0 1 2\n"));
     EXPECT_THAT(fractions.faces, ElementsAre("mesh"));
     EXPECT_THAT(fractions.remarks,
@@ -138,7 +138,7 @@ std::string cell_array(const std::string& name, int value, const std::string& ty
     return fmt::format("<DataArray type=\"{}\" Name=\"{}\">{}</DataArray>", type, name, value);
 }
 
-TEST(VtkFaces, AreToldApartByAnArrayThatAllPiecesHave) {
+TEST(VtkFaces, AreDistinguishedByAnArrayThatAllPiecesHave) {
     const Scene scene =
         xml_scene(grid_of(piece(0, cell_array("own", 1) + cell_array("mat", 7) + cell_array("part", 0)) +
                           piece(1, cell_array("part", 1) + cell_array("mat", 7) + cell_array("other", 2))));
@@ -146,7 +146,7 @@ TEST(VtkFaces, AreToldApartByAnArrayThatAllPiecesHave) {
     EXPECT_THAT(scene.remarks, ElementsAre(HasSubstr("array 'part' tells its faces apart")));
 }
 
-TEST(VtkFaces, OfXmlAreNotToldApartByTexts) {
+TEST(VtkFaces, OfXmlAreNotDistinguishedByTexts) {
     const std::string names = "<Array type=\"String\" Name=\"wall\" format=\"ascii\">102 0</Array>";
     const Scene scene = xml_scene(grid_of(piece(0, names) + piece(1, names)));
     EXPECT_THAT(scene.faces, ElementsAre("mesh"));

@@ -107,14 +107,14 @@ TEST(VtkCells, AreTakenByTheirCorners) {
     EXPECT_THAT(strip.remarks, IsEmpty());  // all triangles face the same way
 }
 
-TEST(MeshFiles, OfVolumesAloneSayThatTheSurfaceIsToBeExtracted) {
+TEST(MeshFiles, OfVolumesAloneAreRefusedWithAdviceToExtractTheSurface) {
     EXPECT_THAT(fault_of("a.vtk",
                          "# vtk DataFile Version 2.0\n\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
                          "0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"),
                 HasSubstr("a.vtk: volume cells alone, 1 of them (only surfaces exchange radiation). Extract the"));
 }
 
-TEST(GmshFiles, TurnSurfacesRoundThatArePhysicalBackwards) {
+TEST(GmshFiles, ReverseSurfacesWithANegativePhysicalTag) {
     const std::string text = sample("room.msh", "\n4.1 0");
     const std::string backwards = changed(text, "0 0 0 0 0 0 1 2 0 ", "0 0 0 0 0 0 1 -2 0 ");
     EXPECT_THAT(as_obj("a.msh", text), HasSubstr("g physical_2\nf 1 5 8 2\n"));
@@ -234,7 +234,7 @@ TEST(MeshFiles, OfVtkHaveGroupsByText) {
                  UserError);
 }
 
-TEST(MeshFiles, AreKnownByTheirContent) {
+TEST(MeshFiles, AreRecognisedByTheirContent) {
     const test::TemporaryFolder folder;
     const auto write = [&](const std::string& name, const std::string& bytes) {
         std::ofstream(folder.path() / name, std::ios::binary) << bytes;

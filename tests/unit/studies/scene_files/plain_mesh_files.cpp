@@ -89,7 +89,7 @@ TEST(PlainMeshFiles, KeepDoublePrecision) {
     EXPECT_THAT(read_ply("a.ply", with_change(ply, "9 4 0", "9 " + number + " 0")).as_obj(), HasSubstr(place));
 }
 
-TEST(StlFiles, HaveKeywordsInCapitalsToo) {
+TEST(StlFiles, MayHaveKeywordsInCapitals) {
     const std::string text =
         "SOLID My Wall\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\nENDLOOP\nENDFACET\n"
         "ENDSOLID";
@@ -97,7 +97,7 @@ TEST(StlFiles, HaveKeywordsInCapitalsToo) {
     EXPECT_EQ(read_stl("a.stl", text).as_obj(), "v 0 0 0\nv 1 0 0\nv 0 1 0\ng My_Wall\nf 1 2 3\n");
 }
 
-TEST(PlyFiles, HaveStripsThatBeginAnew) {
+TEST(PlyFiles, HaveStripsThatRestart) {
     EXPECT_THAT(read_ply("a.ply",
                          "ply\nformat ascii 1.0\nelement vertex 4\nproperty int x\nproperty int y\nproperty int z\n"
                          "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"

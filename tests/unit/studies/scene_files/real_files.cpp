@@ -55,7 +55,7 @@ TEST(RealObjFiles, MayHaveExtensionsInCapitals) {
     EXPECT_THAT(read_real("A.OBJ", std::string(cube_vertices) + "f 1 2 3 4\n").faces, ElementsAre("1"));
 }
 
-TEST(RealObjFiles, HaveFacesByWhatTellsPolygonsApart) {
+TEST(RealObjFiles, HaveFacesByWhatDistinguishesPolygons) {
     const std::string of_materials = "o room\nusemtl wood\nf 1 2 3 4\nusemtl stone\nf 5 8 7 6\n";
     const Scene scene = read_cube(of_materials);
     EXPECT_THAT(scene.faces, ElementsAre("wood", "stone"));
@@ -87,7 +87,7 @@ TEST(RealObjFiles, HaveAScaleAndAnAxisThatPointsUp) {
                 IsEmpty());
 }
 
-TEST(RealObjFiles, HaveSliversAndDoublesWhichAreLeftOut) {
+TEST(RealObjFiles, HaveSliversAndDuplicatesWhichAreLeftOut) {
     const Scene scene = read_cube("v 2 0 0\ng floor\nf 1 2 3 4\nf 3 4 1 2\nf 1 2 9\nf 1 1 2\n");
     EXPECT_EQ(scene.surfaces.size(), 1u);
     EXPECT_THAT(scene.remarks, ElementsAre("2 polygons have no area and are left out (lines 13, 14)",
@@ -243,7 +243,7 @@ TEST(Winding, IsLeftAloneWhereBodiesTouch) {
     EXPECT_THAT(scene.remarks, IsEmpty());
 }
 
-TEST(Winding, IsFoundBehindDoubles) {
+TEST(Winding, IsFoundDespiteDuplicates) {
     const Scene scene = read_cube("g low\nf 1 2 3\nf 1 2 3\nf 3 1 4\nf 1 4 3\nf 1 4 3\ng high\nf 5 8 7 6\n");
     for (std::size_t s = 0; s < 2; ++s) EXPECT_EQ(scene.surfaces[s].normal.z(), 1) << s;
 }
@@ -288,7 +288,7 @@ TEST(RealVs3Files, PutWindowsOnWalls) {
     EXPECT_THROW(read_room("V 13 9 1 0\nS 7 9 13 11 12 1 0 0.8 hatch\n"), UserError) << "it reaches beyond";
 }
 
-TEST(RealVs3Files, TakeNullSurfacesAway) {
+TEST(RealVs3Files, RemoveNullSurfaces) {
     const Scene scene = read_room("C encl=0\nN 7 12 11 10 9 1 0 0.8 hole\n");
     EXPECT_DOUBLE_EQ(face_area(scene, 0), 11);
     EXPECT_EQ(scene.faces.size(), 6u);

@@ -226,7 +226,7 @@ TEST(Spec, RefusesAClosedFormWithASampler) {
                 HasSubstr("evaluates a formula at no points"));
 }
 
-TEST(Spec, RefusesTwoMethodsOfOneName) {
+TEST(Spec, RefusesTwoMethodsWithTheSameName) {
     EXPECT_THAT(refusal_of_study(study_text("trials = 9", std::string(random_rays) + std::string(random_rays))),
                 testing::AllOf(HasSubstr("study.toml:12:8: name = "), HasSubstr("is used twice")));
 }

@@ -70,7 +70,7 @@ TEST(KnownVariance, IsInfiniteForASumWithAnInfiniteTerm) {
     EXPECT_EQ(known_variance(kernel(PointMap::graded), box, all), VarianceStatus::finite);
 }
 
-TEST(KnownVariance, IsFiniteForOtherEstimatorsAndNoneWithoutRandomness) {
+TEST(KnownVariance, IsFiniteForOtherEstimatorsAndAbsentWithoutRandomness) {
     Method method = kernel(PointMap::uniform);
     for (const std::string_view estimator : {"ray_shooting", "point_to_polygon"}) {
         method.estimator = estimator;

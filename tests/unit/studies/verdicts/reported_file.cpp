@@ -38,7 +38,7 @@ TEST(ParseReported, TakesExactValuesWhereErrorsAreOptional) {
                 HasSubstr("new.csv:1:1: column 'standard_error' is missing"));
 }
 
-TEST(ParseReported, TellsMeansFromTrialsByTheHeader) {
+TEST(ParseReported, DistinguishesMeansFromTrialsByTheHeader) {
     EXPECT_TRUE(reports_means("quantity,mean,standard_error\n"));
     EXPECT_FALSE(reports_means("trial,quantity,estimate\n"));
 }

@@ -36,7 +36,7 @@ GateResult judged_means(const Gate& gate, const ReportedFile& file, const Report
     return judge_reported(spec, gate, file, against);
 }
 
-TEST(GatesOnMeans, TakeNoEmptyBinOfTheOtherFileForAnExactValue) {
+TEST(GatesOnMeans, DoNotTakeAnEmptyBinOfTheOtherFileForAnExactValue) {
     const auto means = [](const char* rows, const char* origin) {
         return parse_reported(std::string("quantity,bin,mean,standard_error,n\n") + rows, origin,
                               StandardErrors::required);

@@ -38,7 +38,7 @@ TEST(Judge, NeverPassesWithoutEvidence) {
     EXPECT_EQ(verdict_of({}), Verdict::inconclusive);
 }
 
-TEST(Judge, TakesBandsWithOneEnd) {
+TEST(Judge, AcceptsBandsWithOneEnd) {
     const Band upwards{0.9, std::numeric_limits<double>::infinity()};
     EXPECT_EQ(judge(between(5, 6, 4, 7), upwards), Verdict::pass);
     EXPECT_EQ(judge(between(0.5, 0.6, 0.4, 0.7), upwards), Verdict::fail);
