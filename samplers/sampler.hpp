@@ -63,7 +63,7 @@ struct PointSetSpec {
     std::size_t dimension = max_dimension;
     std::uint32_t source_nodes = 0;  ///< nodes per side on the source patch (coordinates 0 and 1), Sizes::nodes only
     std::uint32_t target_nodes = 0;  ///< nodes per side on the target patch (coordinates 2 and 3)
-    StreamKey key = {};  ///< of the streams that it is for: code from outside is tried with the seeds of their trials
+    StreamKey key = {};  ///< key of the streams that will be used: outside code is tried with the seeds of their trials
 };
 
 class AddedSampler;

@@ -51,8 +51,9 @@ struct CommandDefinition {
     std::string group;  ///< heading of the command in --help; empty: it is hidden
     std::string name;
     std::string summary;
-    std::vector<OptionDefinition> options;         ///< and arguments, in the order of --help
-    std::vector<std::string>* unparsed = nullptr;  ///< takes everything behind the command, --help too; null: nothing
+    std::vector<OptionDefinition> options;  ///< and arguments, in the order of --help
+    std::vector<std::string>* unparsed =
+        nullptr;  ///< receives everything after the command, including --help; null: nothing
     std::function<ExitCode()> action;
 
     /// @param target  of a type that OptionTarget lists; it lives until the action has ended

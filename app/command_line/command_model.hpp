@@ -10,10 +10,10 @@ namespace ff::app {
 /// An option, or an argument.
 struct OptionModel {
     std::vector<std::string> names;  ///< "-q", "--quiet"; of an argument, "STUDY"
-    std::string name;                ///< the one of messages: "--quiet"
+    std::string name;                ///< the name that messages use: "--quiet"
     std::string type;                ///< "SAMPLER" of "--sampler SAMPLER"; of an argument without one, its name
-    std::string notes;               ///< what --help says behind the names: " DIR Needs: --out"
-    std::string usage;               ///< how an argument stands in a synopsis: "[STUDY]"
+    std::string notes;               ///< what --help says after the names: " DIR Needs: --out"
+    std::string usage;               ///< an argument as a synopsis shows it: "[STUDY]"
     std::string description;
     char delimiter = '\0';  ///< between its values; '\0': none
     bool is_argument = false;
@@ -24,11 +24,11 @@ struct OptionModel {
 struct CommandModel {
     std::string name;
     std::string description;
-    std::vector<OptionModel> options;    ///< that begin with dashes
-    std::vector<OptionModel> arguments;  ///< by their places
+    std::vector<OptionModel> options;    ///< options that begin with dashes
+    std::vector<OptionModel> arguments;  ///< positional arguments, in order
 };
 
-/// Without what is hidden.
+/// The command line without its hidden parts.
 struct ProgramModel {
     CommandModel program;  ///< the options that stand before a command
     std::string footer;

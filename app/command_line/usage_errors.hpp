@@ -11,9 +11,9 @@ namespace ff::app {
 /// What is wrong with a command line, in the form of every other message: problem (why). Suggestion.
 struct UsageProblems {
     const ProgramModel& program;
-    const CommandModel* command;  ///< that was given; null where there is none
+    const CommandModel* command;  ///< the command that was given; null where there is none
 
-    /// Words that nothing takes.
+    /// Words that no option or argument takes.
     [[nodiscard]] std::string unexpected(const std::vector<std::string>& words) const;
     // Errors that the parser reports:
     [[nodiscard]] std::string not_converted(std::string_view message) const;  ///< a value of the wrong type

@@ -38,7 +38,7 @@ class Processes {
 
   private:
     studies::Shard part_;
-    mutable std::mutex talking_;  ///< for the others, whose listener communicates too
+    mutable std::mutex talking_;  ///< used by processes other than the leader, whose listener communicates too
 };
 
 }  // namespace ff::app

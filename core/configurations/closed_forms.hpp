@@ -34,7 +34,7 @@ long double element_to_disc_factor(long double radius, long double distance);
 /// A disc that stands between the two, on the same axis.
 struct DiscBlocker {
     long double radius = 0;
-    long double distance = 0;  ///< from the first disc
+    long double distance = 0;  ///< distance from the first disc
 };
 
 /// From the disc of radius r1 to the one of radius r2 past an opaque disc, where the blocker's whole shadow falls on

@@ -75,7 +75,7 @@ struct PairExchange {
     ExchangeReason reason = ExchangeReason::turned_away;
     /// The exchange area; for sampled pairs the unoccluded one, an upper bound, where that is known.
     std::optional<BoundedValue<double>> area = BoundedValue<double>{};
-    std::vector<Blocker> blockers;  ///< for ExchangeMethod::cells; of Occluders::walls
+    std::vector<Blocker> blockers;  ///< only for ExchangeMethod::cells; they belong to Occluders::walls
 };
 
 /// The cheapest method for two surfaces of a scene (which may be one and the same).

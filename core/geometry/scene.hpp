@@ -59,7 +59,7 @@ struct Scene {
     std::vector<Surface> surfaces;
     std::vector<std::string> faces;  ///< face labels as reported, e.g. "1" .. "6"
     bool closed = false;             ///< every ray hits something: a ray that does not is lost
-    double coordinate_rounding = 0;  ///< by which the coordinates of a file may be off, as far as their digits tell
+    double coordinate_rounding = 0;  ///< how much the coordinates of a file may be off, as far as their digits tell
     std::vector<CoveredPart> covered;
     std::vector<MaskedPart> masks;
     std::vector<std::string> remarks;  ///< what reading a file changed or left out, in words

@@ -17,11 +17,11 @@ struct Plate {
     struct Edge {
         Eigen::Vector3d corner;
         Eigen::Vector3d inward;  ///< unit length, in the plane
-        std::size_t index = 0;   ///< of the corner, in order around the polygon
+        std::size_t index = 0;   ///< number of the corner, in order around the polygon
     };
     ConvexPolygon corners;
     std::vector<Edge> edges;  ///< without those too short to have a direction
-    Eigen::Vector3d normal;   ///< unit length; 0 where it has no area
+    Eigen::Vector3d normal;   ///< unit length; 0 where the polygon has no area
     double size = 0;          ///< longest extent along an axis
     double slenderness = 1;   ///< the square of it over twice the area, at least 1
 

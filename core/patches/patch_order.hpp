@@ -35,7 +35,7 @@ class PatchOrder {
     [[nodiscard]] PatchPlace place(std::uint32_t patch) const;
 
   private:
-    std::vector<std::uint32_t> first_;  ///< by surface, then the number of all
+    std::vector<std::uint32_t> first_;  ///< first patch of each surface, then the number of all patches
     std::vector<std::uint32_t> columns_;
 };
 

@@ -11,7 +11,7 @@ using Iteration = std::function<bool(Eigen::VectorXd& exitance)>;
 
 /// A method ready for a system.
 struct IterativeMethod {
-    double flops = 0;  ///< of an iteration
+    double flops = 0;  ///< floating-point operations of an iteration
     Iteration iteration;
 };
 

@@ -155,7 +155,7 @@ class EmbreeTracer final : public Tracer {
 
     embree::Device device_;
     std::vector<Surface> surfaces_;
-    std::vector<Group> groups_;  ///< by geometry
+    std::vector<Group> groups_;  ///< one for each geometry
     embree::SceneHandle scene_;
     bool by_mask_ = false;
     bool closed_ = false;

@@ -41,7 +41,7 @@ class ConvexBodies {
     };
     struct Body {
         std::vector<Plane> sides;
-        std::optional<Plane> missing;  ///< of the side that it has not
+        std::optional<Plane> missing;  ///< plane of the missing side
         double size = 0;               ///< longest edge of the box around it, in units of length
     };
     std::vector<Body> bodies_;
@@ -77,7 +77,7 @@ class ClosedMeshes {
         bool is_body = false;  ///< the free side is the outside
     };
     std::vector<Mesh> meshes_;
-    std::vector<std::uint32_t> mesh_of_;  ///< by surface, or SharedEdges::none
+    std::vector<std::uint32_t> mesh_of_;  ///< mesh of each surface, or SharedEdges::none
     double room_ = 0;                     ///< allowance for the rounding of corners
 };
 

@@ -25,13 +25,13 @@ class ClusterTree {
         std::array<Eigen::Vector3d, 8> corners;
         std::uint8_t corner_count = 0;
         Eigen::Vector3d normal =
-            Eigen::Vector3d::Zero();   ///< of all of it, unit length; 0 where it is not in one plane
+            Eigen::Vector3d::Zero();   ///< common normal, unit length; 0 where the cluster does not lie in one plane
         double plane = 0;              ///< normal * v of its places
         double grain = 0;              ///< longest edge of the box around its smallest surface
         double size = 0;               ///< diagonal of its own box
         std::uint32_t wall = no_wall;  ///< the wall that all of it belongs to
-        bool is_wall = false;          ///< all of that wall
-        std::uint32_t first = 0;       ///< of its surfaces, in `order`
+        bool is_wall = false;          ///< the cluster is all of that wall
+        std::uint32_t first = 0;       ///< place of its first surface in `order`
         std::uint32_t count = 0;
         std::uint32_t upper =
             0;  ///< the cluster of its upper half, that of the lower one being the next; 0: one surface

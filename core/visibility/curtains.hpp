@@ -42,9 +42,9 @@ class Curtains {
     };
     const SharedEdges& edges_;
     const std::vector<std::optional<Plate>>& plates_;
-    std::uint32_t count_ = 0;             ///< of questions and curtains
-    std::vector<std::uint32_t> asked_;    ///< by wall: the last question in which it might stand between
-    std::vector<std::uint32_t> reached_;  ///< by wall: the last curtain that it might belong to
+    std::uint32_t count_ = 0;             ///< number of questions and curtains so far
+    std::vector<std::uint32_t> asked_;    ///< for each wall, the last question in which it might stand between
+    std::vector<std::uint32_t> reached_;  ///< for each wall, the last curtain that it might belong to
     std::vector<std::uint32_t> members_;
 
     /// How often a line crosses a wall: 1 from its front, -1 from behind; empty where that is not clear.

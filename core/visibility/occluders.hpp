@@ -37,7 +37,7 @@ class Occluders {
         std::uint32_t from = 0;
         std::uint32_t to = 0;
         std::vector<std::uint32_t> between;
-        double pairs = 0;  ///< of surfaces
+        double pairs = 0;  ///< number of pairs of surfaces
     };
 
     /// Visits that together meet each unordered pair of surfaces once, each surface with itself among them, but for
@@ -60,23 +60,23 @@ class Occluders {
     /// Whether nothing stands between any two surfaces.
     [[nodiscard]] bool are_none() const { return are_none_; }
 
-    [[nodiscard]] const std::vector<Surface>& surfaces() const { return surfaces_; }  ///< of the scene
+    [[nodiscard]] const std::vector<Surface>& surfaces() const { return surfaces_; }  ///< the surfaces of the scene
     [[nodiscard]] const std::vector<Surface>& walls() const { return walls_; }
 
   private:
     using WallPair = std::pair<std::uint32_t, std::uint32_t>;
 
-    std::vector<Surface> surfaces_;  ///< of the scene
-    std::vector<Surface> walls_;     ///< joined
+    std::vector<Surface> surfaces_;  ///< the surfaces of the scene
+    std::vector<Surface> walls_;     ///< surfaces, joined to walls
     bool are_none_;
-    SharedEdges edges_;  ///< of walls, as all that follows
+    SharedEdges edges_;  ///< edges of walls; everything below is about walls, too
     ConvexBodies bodies_;
     ClosedMeshes meshes_;
     ClusterTree tree_;
-    std::vector<std::optional<Plate>> plates_;  ///< by wall; empty for round ones
-    std::vector<WallPair> level_;               ///< overlap in one plane, sorted
-    std::vector<bool> is_level_with_any_;       ///< by wall
-    std::vector<std::uint32_t> place_of_wall_;  ///< of one of its surfaces in the tree
+    std::vector<std::optional<Plate>> plates_;  ///< one for each wall; empty for round ones
+    std::vector<WallPair> level_;               ///< pairs of walls that overlap in one plane, sorted
+    std::vector<bool> is_level_with_any_;       ///< for each wall, whether it is level with another
+    std::vector<std::uint32_t> place_of_wall_;  ///< for each wall, the place of one of its surfaces in the tree
 
     class Walk;
 
@@ -85,7 +85,7 @@ class Occluders {
     [[nodiscard]] std::uint32_t wall_of(std::size_t surface) const {
         return tree_[tree_.leaf_of(static_cast<std::uint32_t>(surface))].wall;
     }
-    [[nodiscard]] bool are_level(std::uint32_t a, std::uint32_t b) const;  ///< by walls
+    [[nodiscard]] bool are_level(std::uint32_t a, std::uint32_t b) const;  ///< by indices of walls
     [[nodiscard]] bool is_level_with_any(std::uint32_t wall) const { return is_level_with_any_[wall]; }
 
     /// Candidates for what stands between any two surfaces.

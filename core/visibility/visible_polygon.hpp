@@ -51,13 +51,13 @@ class VisiblePolygon {
 
         [[nodiscard]] bool is_before(const Eigen::Vector3d& place) const { return normal.dot(place) > offset; }
     };
-    double rounding_ = 0;        ///< of coordinates
-    std::vector<Plane> planes_;  ///< of blockers
+    double rounding_ = 0;        ///< possible rounding error of coordinates
+    std::vector<Plane> planes_;  ///< planes of the blockers
     /// By blocker: whether it hides something from places on either side of its plane, before it only, or behind.
     enum class Hides : std::uint8_t { always, from_before, from_behind };
     std::vector<Hides> hides_;
-    std::vector<bool> are_convex_;  ///< by two blockers: each lies behind the other, so that no line meets the front,
-                                    ///< or the back, of both
+    std::vector<bool> are_convex_;  ///< for each two blockers: each lies behind the other, so that no line meets the
+                                    ///< front, or the back, of both
     std::vector<std::uint32_t> all_;
 
     void find_convex_pairs();

@@ -32,7 +32,7 @@ namespace {
 struct PlanRow {
     std::string method;
     std::string size;
-    std::uint64_t trials = 0;  ///< in each scene
+    std::uint64_t trials = 0;  ///< trials in each scene
     std::size_t scenes = 0;
     std::uint64_t samples = 0;  ///< evaluations in a trial, summed over the scenes
     double seconds = 0;

@@ -10,7 +10,7 @@ namespace ff::reports {
 /// Facts about a scene for a terminal.
 struct SceneText {
     std::string summary;  ///< "6 surfaces, closed"
-    std::string details;  ///< in lines: faces with areas, exact values with their origin, estimators
+    std::string details;  ///< several lines: faces with areas, exact values with their origin, estimators
 };
 
 SceneText scene_text(const Scene& scene, const studies::SceneExplanation& explanation);

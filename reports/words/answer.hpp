@@ -27,10 +27,10 @@ struct MainFinding {
     std::string question = {};
     std::vector<std::string> clauses = {};
     std::vector<Ranking> rankings = {};  ///< empty where the subject has pictures of its own
-    std::string title = {};              ///< of the rankings, as are the next ones
-    std::string axis = {};               ///< what values are
+    std::string title = {};              ///< title of the rankings; the next members are theirs, too
+    std::string axis = {};               ///< what the values are
     std::string note = {};               ///< what else is drawn
-    bool logarithmic = false;            ///< the axis is
+    bool logarithmic = false;            ///< whether the axis is logarithmic
 };
 MainFinding main_finding(const studies::StudyResults& results);
 

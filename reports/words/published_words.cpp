@@ -81,7 +81,7 @@ struct PrintedErrors {
     double printed = 0;      ///< mean relative error
     double ours = 0;         ///< the same
     double printed_rms = 0;  ///< root mean square of printed - exact
-    bool differs = false;    ///< by more than printing makes
+    bool differs = false;    ///< they differ by more than printing explains
 };
 
 PrintedErrors printed_errors(const studies::StudyResults& results, std::size_t cell, PairClass pair_class) {

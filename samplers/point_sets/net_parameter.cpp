@@ -59,7 +59,7 @@ class Intervals {
     std::uint32_t base_;
     std::uint64_t most_;
     std::vector<std::uint64_t> cell_;
-    std::array<std::uint32_t, max_dimension> digits_{};  ///< that each coordinate is divided by
+    std::array<std::uint32_t, max_dimension> digits_{};  ///< number of digits by which each coordinate is divided
 };
 
 /// m where the number of points is base^m.

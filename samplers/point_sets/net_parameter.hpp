@@ -17,7 +17,7 @@ std::optional<std::uint32_t> net_parameter(const PointSet& points, std::uint64_t
 struct ElementaryInterval {
     std::array<std::uint32_t, max_dimension> digits{};
     std::array<std::uint64_t, max_dimension> number{};
-    std::uint64_t points = 0;  ///< that it holds
+    std::uint64_t points = 0;  ///< number of points that it holds
 };
 
 /// An elementary interval of volume base^(t - m) that holds more than base^t of the base^m points; empty where one of

@@ -9,10 +9,10 @@ namespace ff::stats {
 /// Values of a series that occurred earlier, bit for bit.
 struct Repeats {
     std::size_t in_all = 0;   ///< values that are equal to an earlier one
-    std::size_t repeats = 0;  ///< those of them that count
+    std::size_t repeats = 0;  ///< those of them that count as repeats
     double expected = 0;      ///< how many are expected by chance among independent values on the same lattice
     double p = 0;             ///< P(at least as many by chance), where every site of the lattice may be taken
-    bool certain = false;     ///< several values do that are real numbers with most of their digits
+    bool certain = false;     ///< several of the repeated values are real numbers with most of their digits
     std::size_t earlier = 0;  ///< index of the first value that occurs again ...
     std::size_t later = 0;    ///< ... and of where it does
 };

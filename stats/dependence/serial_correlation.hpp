@@ -9,9 +9,9 @@ namespace ff::stats {
 /// Test of "the values are independent of those before them".
 struct SerialTest {
     double first = 0;       ///< autocorrelation at lag 1
-    std::size_t lags = 0;   ///< that Ljung and Box sum over
+    std::size_t lags = 0;   ///< number of lags that Ljung and Box sum over
     double statistic = 0;   ///< Ljung and Box's
-    double p = 0;           ///< twice the smaller of both tests'
+    double p = 0;           ///< twice the smaller p-value of the two tests
     double detectable = 0;  ///< autocorrelation at lag 1 that is detected with probability 0.9 at alpha 0.05
 };
 

@@ -48,7 +48,7 @@ struct Result {
     double band_low = 0;
     double band_high = 0;
     double n = 0;                 ///< trials
-    double trials_to_decide = 0;  ///< to pass with the power where there is no effect; 0 where not known
+    double trials_to_decide = 0;  ///< trials needed to pass with the power where there is no effect; 0 where unknown
     Options options;
     const char* note = "";   ///< what limits the verdict
     const char* fault = "";  ///< why there is no verdict

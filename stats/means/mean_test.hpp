@@ -94,7 +94,7 @@ std::optional<Interval> mean_interval(std::span<const double> values, double ref
 /// detectable bias (stats/error_rates/power.hpp) beside it, or show that the interval lies within a margin.
 struct MeanTest {
     double p = 1;          ///< 1 - the highest level at which the interval leaves 0 out
-    double student_p = 1;  ///< by Student's t, for values without skewness; never above `p`
+    double student_p = 1;  ///< p-value of Student's t test, for values without skewness; never above `p`
 };
 MeanTest test_mean(const MeanEvidence& mean);
 

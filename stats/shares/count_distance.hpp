@@ -18,7 +18,7 @@ struct CountDistance {
     double statistic = 0;  ///< G less its bias at few events: its mean is at most freedom + draws w²
     double empty = 0;      ///< what to add to the statistic so that its mean is at least that
     double freedom = 0;    ///< cells - 1
-    double variance = 0;   ///< of the statistic where nothing differs; at least 2 freedom
+    double variance = 0;   ///< variance of the statistic where nothing differs; at least 2 freedom
     double draws = 0;      ///< n of one sample, n m / (n + m) of two
     double spread = 1;     ///< variance of the statistic's noncentral part over that of small differences; at least 1
     double lattice = 0;    ///< largest statistic when a single event moves, from 0: counts are not continuous

@@ -17,8 +17,8 @@ struct ConfigurationEstimate {
     double mean = 0;
     double exact = 0;
     double error = 0;                         ///< standard error; of a deterministic method |mean - exact|
-    std::optional<stats::Interval> interval;  ///< for the mean, at the study's level; empty without trials that vary
-    VarianceStatus variance = VarianceStatus::finite;  ///< why there may be none
+    std::optional<stats::Interval> interval;  ///< interval of the mean, at the study's level; empty unless trials vary
+    VarianceStatus variance = VarianceStatus::finite;  ///< why there may be no interval
     double bias = 0;                                   ///< mean - exact
     std::optional<double> standard_errors;             ///< bias in standard errors
 };

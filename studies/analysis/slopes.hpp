@@ -27,13 +27,14 @@ struct Slope {
     std::size_t points = 0;                   ///< sizes in the fit
     std::optional<double> slope;              ///< empty without variance (rmse), or where the error is rounding
     std::optional<stats::Interval> interval;  ///< bootstrap over whole trials; empty for deterministic methods
-    std::optional<stats::Interval> interval_from_fit;  ///< from the weights of the fit; rmse only
+    std::optional<stats::Interval> interval_from_fit;  ///< interval from the weights of the fit; rmse only
     std::optional<double> lack_of_fit_p;               ///< p-value of a straight line; rmse only
     double misfit = 1;  ///< sqrt(chi-squared / degrees of freedom) of a straight line, at least 1
     std::optional<ExpectedRate> expected;
     double slowest_expected = 0;  ///< ExpectedRate::slowest at the middle of the ladder
     std::optional<double> p;      ///< p-value of the slope being as expected
-    bool few_trials = false;      ///< at some size, or they repeat each other: there is neither an interval nor a p
+    bool few_trials =
+        false;  ///< trials are few at some size, or repeat each other: there is neither an interval nor a p
 };
 
 /// The comparison of theory and trials for a class of pairs.

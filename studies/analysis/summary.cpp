@@ -37,7 +37,7 @@ void add_quantiles(std::span<const double> values, Summary& summary) {
 /// The mean of the trials less `centre`: by hits where they are binomial, otherwise by the rule for means.
 struct MeanOfTrials {
     std::optional<stats::Interval> interval;
-    double caution = 0;  ///< by how much skewness lengthens the reach of the family-wise test, in standard errors
+    double caution = 0;  ///< how much skewness lengthens the reach of the family-wise test, in standard errors
     std::optional<double> spread;  ///< standard deviation of a trial, where it is known from the exact value
 };
 

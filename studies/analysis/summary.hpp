@@ -59,7 +59,7 @@ struct SummaryRequest {
     double detectable_bias = 0;        ///< what the family-wise test finds in this many normal trials of deviation 1
     double pair_alpha = 0.05;          ///< level of that test for one pair
     std::optional<std::size_t> pilot;  ///< trials of the pilot, after two stages
-    StreamKey key;                     ///< for jitter and bootstrap
+    StreamKey key;                     ///< key of the random numbers of jitter and bootstrap
 };
 
 Summary summarise(std::span<const double> values, const SummaryRequest& request);

@@ -273,7 +273,7 @@ class Auditor {
     SceneFacts facts_;
     std::vector<Experiment> experiments_;
     Report report_;
-    double spread_level_ = 0;  ///< of the chi-squared test of one experiment, either way
+    double spread_level_ = 0;  ///< level of the chi-squared test of one experiment, on either side
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ struct Correction {
     Range values;                  ///< values of the quantity that everything else allows
     std::optional<HitRange> hits;  ///< the same in hits
     int edits = 0;                 ///< digits to change: misprint_distance(printed, meant)
-    double units = 0;              ///< from the printed to the nearest possible value, in units of the last digit
+    double units = 0;  ///< distance from the printed to the nearest possible value, in units of the last digit
 };
 
 /// Finds the possible print that is typographically nearest to the printed one; among equally near ones, the nearest to

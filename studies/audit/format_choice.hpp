@@ -20,8 +20,8 @@ struct Judgement {
     const SceneFacts& facts;
     DistributionCache& cache;
     const ReferenceInference& references;
-    double z_limit = 0;       ///< of single Monte Carlo values
-    double spread_level = 0;  ///< of the chi-squared test of an experiment, either way
+    double z_limit = 0;       ///< limit for single Monte Carlo values
+    double spread_level = 0;  ///< level of the chi-squared test of an experiment, on either side
 };
 
 /// Whether chi-squared finds the values too far from, or too close to, the exact ones.

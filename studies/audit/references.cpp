@@ -24,7 +24,7 @@ struct Group {
     std::string table;
     std::string pair_class;
     double exact = 0;
-    double uncertainty = 0;  ///< of the exact value, where no formula gives it
+    double uncertainty = 0;  ///< uncertainty of the exact value, where no formula gives it
     std::optional<std::string> printed;
     std::vector<Row> rows{};
 };

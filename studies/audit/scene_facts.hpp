@@ -21,9 +21,9 @@ namespace ff::studies::audit {
 /// What is known of the scene of published tables.
 struct SceneFacts {
     Scene scene;
-    std::vector<double> areas;             ///< by face
-    std::vector<double> area_error;        ///< largest relative error of each, where coordinates of a file are rounded
-    std::vector<bool> sees_itself;         ///< by face
+    std::vector<double> areas;       ///< area of each face
+    std::vector<double> area_error;  ///< largest relative error of each area, where coordinates of a file are rounded
+    std::vector<bool> sees_itself;   ///< for each face, whether it sees itself
     std::optional<Eigen::MatrixXd> exact;  ///< [from, to]; of the inside of a box only
     Eigen::MatrixXd low;                   ///< limits of all factors, [from, to]: equal to `exact` where there is one
     Eigen::MatrixXd high;

@@ -24,7 +24,7 @@ struct SampledValue {
 /// printed may be any, so the probabilities are those of the nearest and of the farthest values that the prints may
 /// stand for.
 struct JointDistance {
-    stats::ChiSquared chi_squared;  ///< of the middles
+    stats::ChiSquared chi_squared;  ///< chi-squared of the middles of the ranges
     double too_far = 1;             ///< P(at least as far) is at most this, wherever in their ranges the values lie
     double too_close = 1;           ///< the same for P(at least as close)
     std::vector<std::size_t> figures;

@@ -14,7 +14,7 @@ struct InferredFormat {
     std::string method;
     NumberFormat format;
     std::vector<NumberFormat> candidates;  ///< formats that it may be, the likeliest by itself first
-    std::vector<FormatEvidence> evidence;  ///< of the candidates; sampling methods only
+    std::vector<FormatEvidence> evidence;  ///< evidence for each candidate; sampling methods only
 };
 
 /// How the publication says that digits are dropped; empty where it does not.

@@ -13,7 +13,7 @@ namespace ff::studies {
 /// How the closure error of a deterministic method falls with subdivision: mean row sum - 1 at m patches along an edge.
 struct ErrorLaw {
     std::string method;
-    bool published = false;  ///< from printed row sums instead of this study's
+    bool published = false;  ///< fitted to printed row sums instead of this study's
     std::vector<double> m;
     std::vector<double> closure_errors;
     stats::PowerLaw first_order;          ///< c / m

@@ -15,7 +15,7 @@ namespace ff::studies {
 /// What is equal for the methods in a comparison.
 enum class Equal {
     evaluations,     ///< evaluations in a trial, over all faces
-    processor_time,  ///< as measured
+    processor_time,  ///< processor time, as measured
     error,           ///< a target RMSE
 };
 
@@ -40,7 +40,7 @@ struct Handicap {
     std::size_t worse = 0;
     double ratio = 1;                         ///< worse value / better value, at least 1
     std::optional<stats::Interval> interval;  ///< empty where neither varies, and where an end would be infinite
-    bool apart = false;                       ///< shown to be above 1
+    bool apart = false;                       ///< the ratio is shown to be above 1
 };
 
 /// All methods of a study on a class of pairs of a scene, at one budget. Intervals hold together for all pairs of

@@ -12,9 +12,10 @@ namespace ff::studies {
 
 /// The error of a method on one pair of faces.
 struct PairError {
-    std::size_t cell = 0;        ///< the method's size closest to the common number of evaluations
-    ClassError error;            ///< error on this pair alone
-    std::optional<Slope> slope;  ///< along the method's ladder: of the RMSE, of the median where there is no variance
+    std::size_t cell = 0;  ///< the method's size closest to the common number of evaluations
+    ClassError error;      ///< error on this pair alone
+    std::optional<Slope>
+        slope;  ///< slope along the method's ladder: of the RMSE, or of the median where there is no variance
     [[nodiscard]] double size() const {
         return error.status == VarianceStatus::infinite ? error.median_abs_error : error.rmse;
     }
@@ -25,7 +26,7 @@ struct HiddenPair {
     std::size_t scene = 0;
     double hidden = 0;  ///< occluded fraction of the open form factor, 0 to 1
     double exact = 0;
-    std::vector<std::optional<PairError>> methods;  ///< by index into StudySpec::methods
+    std::vector<std::optional<PairError>> methods;  ///< one for each of StudySpec::methods
     std::optional<std::size_t> least;               ///< method with the smallest error; empty where all are rounding
     /// Whether the error of `least` is shown to be smaller than that of every other method: at the study's level over
     /// all scenes of all series, and over the methods, from which it is picked (Bonferroni).

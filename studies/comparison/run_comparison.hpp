@@ -29,8 +29,9 @@ struct RmseRatio {
     double second = 0;
     std::optional<double> ratio;              ///< second / first; empty where one is rounding
     std::vector<stats::Measured> logarithms;  ///< ln(RMSE) of both; empty unless the runs are independent and vary
-    std::optional<stats::Interval> interval;  ///< for the ratio, where it is finite; all of a comparison hold together
-    double adjusted_p = 1;                    ///< p-value of equal errors, Holm over all tests of the comparison
+    std::optional<stats::Interval>
+        interval;           ///< interval of the ratio, where it is finite; all intervals of a comparison hold together
+    double adjusted_p = 1;  ///< p-value of equal errors, Holm over all tests of the comparison
 };
 
 /// The pair on which two independent runs differ most.
@@ -66,8 +67,8 @@ struct CellComparison {
     std::set<Untested> obstacles;    ///< why they have none
     std::optional<Contrast> mean;    ///< independent runs: Welch
     std::optional<Contrast> spread;  ///< independent runs: the rule for means, for squared deviations
-    Detectable difference;           ///< of means
-    Detectable ratio{1, 0};          ///< of standard deviations
+    Detectable difference;           ///< detectable difference of means
+    Detectable ratio{1, 0};          ///< detectable ratio of standard deviations
     std::size_t trials = 0;          ///< trials that both have; same random numbers only
     std::size_t differing = 0;       ///< trials in which the value of some pair differs
     double largest_difference = 0;   ///< deterministic only, on `largest_pair`
@@ -86,7 +87,8 @@ struct Lead {
 /// A scene of one name that is not the same in both runs: its file was changed, say.
 struct ChangedScene {
     std::string name;
-    std::string difference;  ///< of the faces, in words; empty where they are the same, so that factors are compared
+    std::string
+        difference;  ///< how the faces differ, in words; empty where they are the same, so that factors are compared
 };
 
 /// Two runs side by side.

@@ -34,7 +34,7 @@ struct Task {
     double level = 0;
     double reference = 0;
     std::size_t replicates = 0;
-    double half_width = 0;  ///< that stopping rules aim at
+    double half_width = 0;  ///< half width that stopping rules aim at
 };
 
 stats::Moments moments_of(std::span<const double> values, const Task& task) {

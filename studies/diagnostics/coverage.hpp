@@ -36,7 +36,7 @@ struct Coverage {
     std::uint64_t replicates = 0;  ///< R: trials per group, or in its first stage
     std::uint64_t intervals = 0;
     std::uint64_t covered = 0;
-    double mean_trials = 0;             ///< per group
+    double mean_trials = 0;             ///< mean number of trials per group
     stats::Interval coverage_interval;  ///< Clopper-Pearson, of the coverage, at the study's level
     bool short_of_nominal = false;      ///< significantly, at the study's level over all rows together (Sidak)
 

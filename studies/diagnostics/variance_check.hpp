@@ -9,7 +9,7 @@ namespace ff::studies {
 /// The sample standard deviation of one quantity beside the exact one.
 struct VarianceComparison {
     Quantity quantity;
-    double exact = 0;  ///< from the exact patch-to-face factors (studies/theory/sr_distribution.hpp)
+    double exact = 0;  ///< computed from the exact patch-to-face factors (studies/theory/sr_distribution.hpp)
     double sampled = 0;
     double p = 0;  ///< two-sided chi-squared test of equality
 };

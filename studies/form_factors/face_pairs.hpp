@@ -35,7 +35,7 @@ struct KnownPair {
     std::uint32_t from = 0;  ///< at most `to`
     std::uint32_t to = 0;
     double value = 0;                                     ///< in squared units of length
-    double bound = 0;                                     ///< of its error
+    double bound = 0;                                     ///< bound of the error of `value`
     ExchangeMethod method = ExchangeMethod::none;         ///< the most expensive that a pair of surfaces needs
     ExchangeReason reason = ExchangeReason::turned_away;  ///< why `method` is needed
 };
@@ -44,11 +44,11 @@ struct KnownPair {
 struct FacePair {
     std::uint32_t from = 0;  ///< at most `to`
     std::uint32_t to = 0;
-    std::uint32_t first = 0;  ///< of its pairs of surfaces in FacePairs::sampled
-    std::uint32_t count = 0;  ///< of these; 0 where `everything` is sampled
+    std::uint32_t first = 0;  ///< place of its first pair of surfaces in FacePairs::sampled
+    std::uint32_t count = 0;  ///< number of its pairs of surfaces; 0 where `everything` is sampled
     double known = 0;         ///< sum of what is known, in squared units of length
     double bound = 0;         ///< upper bound of its error
-    double resolution = 0;    ///< possible effect of rounding coordinates that are large, or were; 0 where it is small
+    double resolution = 0;    ///< possible effect of rounding coordinates that are, or were, large; 0 where it is small
     double most = 0;          ///< upper bound of the exchange area: the unoccluded one
     bool all_unblocked_known = true;  ///< `most` is the unblocked exchange area, not merely the area of a surface
     bool everything = false;          ///< all pairs of surfaces, too many to list
@@ -77,7 +77,7 @@ struct FacePairs {
     std::vector<FacePair> pairs;           ///< those that are sampled
     SampledPairs sampled;                  ///< pairs of surfaces of `pairs`, in order
     std::vector<double> areas;             ///< area of each face, in squared units of length
-    std::vector<DroppedExchange> dropped;  ///< by face
+    std::vector<DroppedExchange> dropped;  ///< one for each face
     std::shared_ptr<const Occluders> occluders;
     /// By surface, in order: those between which and it rays count; empty if all do.
     std::vector<std::vector<std::uint32_t>> shot;

@@ -52,7 +52,7 @@ struct PairRandomisations {
     /// The face whose rays they are from. Values of one randomisation share points where this is the same; all others
     /// are independent.
     std::optional<std::uint32_t> rays_of;
-    std::array<float, randomisations> values{};  ///< of the factor from `from` to `to`
+    std::array<float, randomisations> values{};  ///< values of the factor from `from` to `to`
 };
 
 struct RepairedFactors {
@@ -82,19 +82,19 @@ bool set_method(FaceExchange& exchange, std::string_view method, std::string_vie
 /// Form factors between the faces of a scene. Reciprocal by construction: both directions share one exchange area.
 struct Matrix {
     std::vector<double> areas;  ///< area of each face, in squared units of length
-    std::size_t surfaces = 0;   ///< that were left when level ones had been joined
+    std::size_t surfaces = 0;   ///< number of surfaces that were left after level ones were joined
     /// (0,0), (0,1), .., (1,1), .. without the pairs that cannot see each other, which exchange exactly nothing, and
     /// without those that are dropped.
     std::vector<FaceExchange> exchanges;
     std::vector<RowSum> rows;
     std::vector<PairRandomisations> randomisations;  ///< in the order of `exchanges`, if requested; not stored
     double entry_level = 0;                          ///< confidence level of each interval by itself
-    std::uint64_t samples = 0;                       ///< in all rounds
-    std::uint64_t lost_rays = 0;                     ///< in a closed scene
+    std::uint64_t samples = 0;                       ///< samples in all rounds
+    std::uint64_t lost_rays = 0;                     ///< rays that met nothing in a closed scene
     double leak = 0;  ///< share of a row that gaps of a closed scene let out, if no more than the tolerance
     std::uint64_t rays = 0;
     bool interrupted = false;
-    std::uint64_t dropped = 0;  ///< pairs
+    std::uint64_t dropped = 0;  ///< number of dropped pairs
     std::size_t left_out = 0;   ///< rows that are sampled by another shard: the matrix is not whole
     std::optional<RepairedFactors> repaired;
     /// What is wrong with the scene (SceneDoubts::faults): intervals hold for the scene as read, which is not what was

@@ -17,7 +17,7 @@ struct DroppedPair {
 
 /// What was found in a visit.
 struct Seen {
-    std::vector<KnownPair> known;  ///< of faces, for each pair of surfaces
+    std::vector<KnownPair> known;  ///< pairs of faces, one entry for each pair of surfaces
     SampledPairs open;
     std::vector<DroppedPair> dropped;
 };

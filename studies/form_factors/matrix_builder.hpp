@@ -41,7 +41,7 @@ class RowSums {
         OrderlessSum offset;
         OrderlessSum offset_error;
         std::array<OrderlessSum, randomisations> means;
-        std::vector<double> unmet;  ///< by level
+        std::vector<double> unmet;  ///< one for each level
         bool is_sampled = false;
     };
     std::vector<double> areas_;
@@ -68,7 +68,7 @@ class MatrixBuilder {
     /// What is known of a row's sum apart from its sampled part, in form factors.
     struct KnownSum {
         double value = 0;    ///< clipped estimates of all pairs
-        double sampled = 0;  ///< of those of RowSums
+        double sampled = 0;  ///< of these, the estimates of pairs in RowSums
         double down = 0;
         double up = 0;
 
@@ -78,11 +78,11 @@ class MatrixBuilder {
     Matrix& matrix_;
     const FacePairs& geometry_;
     const Request& request_;
-    std::array<double, 2> levels_;  ///< of a pair's interval after the first round, and after a later one
+    std::array<double, 2> levels_;  ///< levels of a pair's interval after the first round and after a later one
     RowSums sums_;
-    std::vector<double> row_levels_;     ///< the highest of a row's entries
-    std::vector<std::uint32_t> places_;  ///< of sampled pairs among the exchanges
-    std::vector<bool> is_summed_;        ///< sampled pairs that are in `sums_`
+    std::vector<double> row_levels_;     ///< for each row, the highest level of its entries
+    std::vector<std::uint32_t> places_;  ///< places of sampled pairs among the exchanges
+    std::vector<bool> is_summed_;        ///< for each sampled pair, whether it is in `sums_`
 
     /// Keeps the values of a sampled pair's randomisations.
     void keep_values(std::size_t p, const PairEstimate& estimate);

@@ -32,8 +32,8 @@ class PointFactors {
     Placement placement_;
     Scene scene_;
     std::vector<Eigen::AlignedBox3d> boxes_;       ///< around its surfaces
-    double gap_ = 0;                               ///< what is nearer to a plane lies in it
-    std::vector<std::vector<std::size_t>> level_;  ///< by surface: others that lie over it in its plane
+    double gap_ = 0;                               ///< a place nearer to a plane than this lies in it
+    std::vector<std::vector<std::size_t>> level_;  ///< for each surface, the others that lie over it in its plane
 };
 
 }  // namespace ff::studies::form_factors

@@ -39,7 +39,7 @@ struct Progress {
     Stage stage = Stage::looking;
     std::size_t round = 0;      ///< number of the round that counts for some pair, from 1; 0 before
     double share = 0;           ///< completed share of the stage or round
-    std::uint64_t samples = 0;  ///< in all rounds
+    std::uint64_t samples = 0;  ///< samples in all rounds
     std::size_t within = 0;     ///< pairs of faces that are within the tolerance
     std::size_t pairs = 0;      ///< pairs of faces
 };
@@ -66,8 +66,8 @@ struct Request {
     std::function<void(const Progress&)> report;                  ///< called by any thread, one call at a time
 
     using Receive = std::function<void(SampledRow)>;
-    Shard shard;                                  ///< rows that are sampled; the others are left out
-    std::vector<bool> finished;                   ///< by row: sampled before, and left out; empty: none is
+    Shard shard;                 ///< rows that are sampled; the others are left out
+    std::vector<bool> finished;  ///< for each row, whether it was sampled before and is left out; empty: none was
     std::function<void(const Receive&)> earlier;  ///< passes on rows that were sampled before
     std::function<void(const Receive&)> others;   ///< passes on rows as other processes send them, to the last
     std::function<void(const SampledRow&)> keep;  ///< called for each row when it is done

@@ -64,7 +64,7 @@ class Rounds {
     const Scene& scene_;
     const Request& request_;
     double alpha_;
-    std::size_t sampled_ = 0;  ///< pairs of all rows
+    std::size_t sampled_ = 0;  ///< sampled pairs of all rows
     const FacePairs& geometry_;
     /// Exchange area that is expected of each pair, from the samples so far. It decides on numbers of samples, not on
     /// intervals.
@@ -76,8 +76,8 @@ class Rounds {
     std::vector<Earlier> earlier_;
     std::size_t round_ = 0;
     bool last_ = false;          ///< the budget ends with this round
-    std::uint64_t left_ = 0;     ///< samples of the budget
-    std::uint64_t samples_ = 0;  ///< in all calls
+    std::uint64_t left_ = 0;     ///< samples left in the budget
+    std::uint64_t samples_ = 0;  ///< samples in all calls
     Progress progress_;
     std::mutex reporting_;
 

@@ -39,7 +39,7 @@ class RowByRays {
     /// Rays for a half width of at most `wanted[k]` of the k-th pair, by the last round.
     [[nodiscard]] std::uint64_t rays_for(const std::vector<double>& wanted, double level) const;
 
-    [[nodiscard]] std::uint64_t lost() const;  ///< rays of the last round
+    [[nodiscard]] std::uint64_t lost() const;  ///< rays of the last round that met nothing
 
   private:
     struct Source {
@@ -47,7 +47,7 @@ class RowByRays {
         std::uint64_t first = 0;  ///< coordinate where its share begins, in 2^-32
     };
     struct Hits {
-        std::vector<std::uint64_t> hits;  ///< by pair
+        std::vector<std::uint64_t> hits;  ///< hits of each pair
         std::uint64_t lost = 0;
     };
 
@@ -55,10 +55,10 @@ class RowByRays {
     const FacePairs* geometry_;
     std::size_t from_;
     std::vector<std::size_t> pairs_;
-    std::vector<Source> sources_;  ///< and an end
+    std::vector<Source> sources_;  ///< followed by an end marker
     double source_area_ = 0;
     std::uint64_t rays_ = least_rays;
-    std::vector<Hits> hits_;  ///< by randomisation
+    std::vector<Hits> hits_;  ///< one for each randomisation
 
     /// For each face the place of its pair, or a mark that it has none.
     [[nodiscard]] std::vector<std::uint32_t> pairs_of_faces() const;

@@ -17,7 +17,7 @@ struct SampledPair {
     std::uint32_t other_face = 0;
     std::uint32_t from = 0;  ///< index of the surface
     std::uint32_t to = 0;
-    std::uint32_t first_blocker = 0;  ///< in the list of all
+    std::uint32_t first_blocker = 0;  ///< place of the first one in the list of all blockers
     std::uint16_t blockers = 0;
     ExchangeReason reason = ExchangeReason::turned_away;
     ExchangeMethod method = ExchangeMethod::rays;

@@ -25,10 +25,10 @@ struct PairEstimate {
 /// depend on other rows, so that processes can share rows out, and a run can be resumed.
 struct SampledRow {
     std::uint32_t row = 0;                                          ///< its face
-    std::vector<std::pair<std::uint32_t, PairEstimate>> estimates;  ///< by the pair's place in FacePairs::pairs
+    std::vector<std::pair<std::uint32_t, PairEstimate>> estimates;  ///< each with the pair's place in FacePairs::pairs
     std::uint64_t samples = 0;
     std::uint64_t rays = 0;
-    std::uint64_t lost = 0;  ///< rays
+    std::uint64_t lost = 0;  ///< rays that met nothing
 };
 
 /// As 64-bit words, for a file or another process of the same program.

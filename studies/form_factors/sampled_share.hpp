@@ -48,7 +48,7 @@ struct SampledSum {
     };
     double offset = 0;
     std::vector<Term> terms;
-    double offset_error = 0;  ///< bound
+    double offset_error = 0;  ///< bound of the error of `offset`
 };
 
 /// Clopper and Pearson's upper bound of a probability after this many points without a hit.

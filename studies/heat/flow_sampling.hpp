@@ -10,12 +10,12 @@ namespace ff::studies::heat {
 
 /// Flows that have been sampled until they were known well enough.
 struct SampledFlows {
-    form_factors::Matrix matrix;  ///< that the flows are from
+    form_factors::Matrix matrix;  ///< form factors that the flows are computed from
     Flows flows;
     FlowTolerance tolerance;
-    double factor_tolerance = 0;  ///< the smallest of its form factors
-    bool is_planned = false;      ///< it is not the pilot
-    std::size_t matrices = 0;     ///< that were sampled, the pilot among them
+    double factor_tolerance = 0;  ///< the smallest tolerance of its form factors
+    bool is_planned = false;      ///< the matrix was sampled by a plan: it is not the pilot
+    std::size_t matrices = 0;     ///< number of matrices that were sampled, including the pilot
     std::uint64_t samples = 0;    ///< rays and evaluations in cells for all of them
     /// Estimate of what one tolerance of all form factors would have taken for flows as certain.
     std::optional<double> even_samples{};

@@ -17,7 +17,7 @@ struct Ladder {
     std::size_t method = 0;  ///< index into StudySpec::methods
     Growth growth = Growth::samples;
     std::string label;               ///< the method's name, with what is fixed if it has several ladders
-    std::vector<std::size_t> cells;  ///< by ascending number of evaluations
+    std::vector<std::size_t> cells;  ///< in ascending order of evaluations
 };
 
 /// Reports show ladders with this many sizes by their ends.

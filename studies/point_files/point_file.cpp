@@ -17,7 +17,7 @@ namespace {
 struct Rows {
     std::vector<double> values;
     std::size_t width = 0;
-    std::vector<std::uint64_t> ends;  ///< in rows
+    std::vector<std::uint64_t> ends;  ///< ends of sets, counted in rows
     std::uint64_t rows = 0;
 };
 

@@ -67,7 +67,7 @@ struct SettingStatistics {
     /// Root mean square over trials and elements of the exitance's error, relative to the mean exact exitance; empty
     /// where the mean of ExitanceStatistics is.
     std::optional<double> light_error;
-    std::optional<stats::Interval> light_interval;  ///< by the rule for means of squares; empty for few trials
+    std::optional<stats::Interval> light_interval;  ///< interval by the rule for means of squares; empty for few trials
     std::vector<SolverStatistics> solvers;          ///< one for each solver; only for the method's own completion
 };
 
@@ -82,8 +82,8 @@ struct Consequences {
     OverTrials reciprocity_defect;  ///< largest |F_ij - F_ji A_j / A_i|
     OverTrials correction;          ///< largest change of a factor by the treatment
     OverTrials factor_error;        ///< root mean square over pairs of F - exact
-    OverTrials dominant_below;      ///< with one reflectance for all elements G is strictly diagonally dominant below
-    OverTrials convergent_below;    ///< and the spectral radius of P F is below 1 below this
+    OverTrials dominant_below;  ///< with one reflectance for all elements, G is strictly diagonally dominant below this
+    OverTrials convergent_below;  ///< and the spectral radius of P F is below 1 below this
     std::vector<SettingStatistics> settings;
 };
 

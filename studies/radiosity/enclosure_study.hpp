@@ -29,7 +29,7 @@ struct EnclosureRequest {
     std::string name;
     std::optional<std::string> mirror;
     RadiosityRequest light;    ///< one reflectance for all surfaces in each setting
-    std::uint64_t rays = 0;    ///< from each surface in a trial, at most 2^32
+    std::uint64_t rays = 0;    ///< rays from each surface in a trial, at most 2^32
     std::uint64_t trials = 0;  ///< 0: exact factors only
     Seed seed;
 };
@@ -37,8 +37,8 @@ struct EnclosureRequest {
 struct EnclosureResults {
     NamedEnclosure of;
     Eigen::VectorXd emission;
-    std::vector<ExactSystem> exact;          ///< by setting
-    std::vector<Consequences> consequences;  ///< by treatment; `cell` means nothing
+    std::vector<ExactSystem> exact;          ///< one for each setting
+    std::vector<Consequences> consequences;  ///< one for each treatment; `cell` is meaningless
 };
 
 /// Solves with exact factors, and with those of trials. Rays of a trial are not traced: since the target of a diffuse

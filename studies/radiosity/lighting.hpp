@@ -14,7 +14,7 @@ namespace ff::studies::radiosity {
 struct Lighting {
     Elements elements;
     Eigen::MatrixXd exact;                     ///< form factors
-    std::vector<Eigen::VectorXd> reflectance;  ///< by setting, of each element
+    std::vector<Eigen::VectorXd> reflectance;  ///< for each setting, the reflectance of each element
     Eigen::VectorXd emission;
 
     /// The system with these factors instead of the exact ones.

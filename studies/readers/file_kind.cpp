@@ -17,7 +17,7 @@ namespace {
 
 struct Words {
     std::string_view name;
-    std::string_view command;  ///< that takes it; {} is the file
+    std::string_view command;  ///< command that takes such a file; {} stands for the file
 };
 constexpr std::array words_of_kinds{
     Words{"a study file", "ffstudy run {}"},

@@ -13,7 +13,7 @@ template <class Enum>
 struct Named {
     Enum value;
     std::string_view name;
-    bool suggested = true;  ///< by messages about unknown names
+    bool suggested = true;  ///< messages about unknown names suggest it
 };
 template <class Enum>
 Named(Enum, std::string_view, bool = true) -> Named<Enum>;

@@ -16,8 +16,8 @@ struct RunProgress {
     std::size_t units = 0;
     double expected_seconds_done = 0;  ///< on one core, by the plan's cost table
     double expected_seconds = 0;
-    std::uint64_t evaluations = 0;         ///< in this run
-    std::size_t unit = 0;                  ///< the last saved one
+    std::uint64_t evaluations = 0;         ///< evaluations in this run
+    std::size_t unit = 0;                  ///< the last saved unit
     double processor_seconds = 0;          ///< measured for that unit; 0 where another process ran it
     double processor_seconds_squared = 0;  ///< sum over its trials of the square of each one's
 };

@@ -31,8 +31,8 @@ struct DrawnTrials {
     std::vector<std::array<std::uint32_t, max_dimension>> picked;   ///< a point picked at random from each set
     std::array<std::vector<double>, integrand_names.size()> means;  ///< [function]: its mean over each set
     std::array<double, integrand_names.size()> largest{};           ///< [function]: its largest value
-    std::vector<std::uint64_t> fingerprints;                        ///< of the sets, whatever the order of their points
-    std::vector<SliceCounts> slices;  ///< one for each coordinate; empty for more than `most_for_slices` points
+    std::vector<std::uint64_t> fingerprints;  ///< fingerprints of the sets, independent of the order of points
+    std::vector<SliceCounts> slices;          ///< one for each coordinate; empty for more than `most_for_slices` points
 };
 
 DrawnTrials draw_trials(const PointSource& source, std::size_t dimension, StreamKey key, std::uint64_t trials);

@@ -23,7 +23,7 @@ struct SamplerCheckRequest {
 
 struct SamplerChecks {
     std::uint64_t trials = 0;
-    std::uint64_t sets = 0;  ///< that the structure was looked for in, the first of the trials
+    std::uint64_t sets = 0;  ///< number of sets, those of the first trials, whose structure was looked at
     std::vector<SamplerCheck> checks;
     std::vector<std::string> not_asked;  ///< checks left out, with the reason
 };

@@ -10,12 +10,12 @@ namespace ff::studies {
 
 /// What one coordinate of n points looks like.
 struct CoordinateStructure {
-    std::uint64_t values = 0;         ///< that differ; n where none is there twice
+    std::uint64_t values = 0;         ///< number of different values; n where none occurs twice
     std::uint64_t equal_pairs = 0;    ///< pairs of points with the same value
     std::uint64_t runs = 0;           ///< runs of successive points with the same value
     std::size_t repeats_as = 0;       ///< the first coordinate with the same runs
     std::uint64_t single_slices = 0;  ///< slices that hold one point, of n equal ones
-    std::uint64_t free_slices = 0;    ///< 1 to 4, where no two points share one of n + so many slices; else 0
+    std::uint64_t free_slices = 0;    ///< 1 to 4, where no two points share one of n + this many slices; else 0
     bool fills_shifted = false;       ///< n slices that begin elsewhere than at 0 hold a point each; n <= 2^16
 };
 
@@ -33,7 +33,7 @@ struct SetStructure {
     std::uint64_t cells_a_side = 0;    ///< k where n = k^d, d > 1; else 0
     std::uint64_t single_cells = 0;    ///< cells that hold one point, of these n
     std::optional<std::uint32_t> t;    ///< empty where n is not a power of the base, or is large
-    std::vector<PairStructure> pairs;  ///< every two coordinates, where `t` is there and d > 2
+    std::vector<PairStructure> pairs;  ///< one for every two coordinates, where `t` is set and d > 2
     bool lattice = false;              ///< false for very large sets, too
 };
 

@@ -67,8 +67,8 @@ class SceneBuilder {
 
     std::string name_;
     Scene scene_;
-    std::unordered_map<std::string, int> faces_;  ///< by name in the file
-    std::unordered_set<std::string> names_;       ///< of faces and masks as they are called
+    std::unordered_map<std::string, int> faces_;  ///< faces by their names in the file
+    std::unordered_set<std::string> names_;       ///< names that faces and masks have in the scene
     std::vector<std::uint64_t> lines_;            ///< one per surface
     PolygonChanges changes_;
     bool has_windings_ = true;                ///< every surface is a polygon whose corners tell its side

@@ -48,7 +48,7 @@ class EnergyPlusZones {
     bool rules_are_read_ = false;
     bool is_clockwise_ = false;
     bool is_relative_ = false;
-    std::map<std::string, Place> zones_;                                 ///< by name in small letters
+    std::map<std::string, Place> zones_;                                 ///< zones by name in lower case
     std::map<std::string, std::pair<std::string, std::string>> spaces_;  ///< name, and zone in small letters
     std::string chosen_;
     std::string zone_;

@@ -18,7 +18,7 @@ SceneWithMaterials read_vs3_scene(std::string_view name, std::string_view text);
 
 struct ZoneScene {
     Scene scene;
-    std::string zone;  ///< as the file calls it
+    std::string zone;  ///< zone or space, as the file calls it
 };
 
 /// A zone or space of an input file of EnergyPlus, in its IDF or epJSON format.

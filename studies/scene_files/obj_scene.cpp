@@ -27,16 +27,16 @@ constexpr std::string_view before_scale = "scale ";
 
 /// What a polygon belongs to, by number of the name.
 struct Owners {
-    std::size_t group = 0;     ///< that of `g`, or of `o` where there is none
-    std::size_t object = 0;    ///< that of `o`
-    std::size_t material = 0;  ///< that of `usemtl`
+    std::size_t group = 0;     ///< name given by `g`, or by `o` where there is none
+    std::size_t object = 0;    ///< name given by `o`
+    std::size_t material = 0;  ///< name given by `usemtl`
 };
 
 struct Polygon {
     std::uint64_t line = 0;
     Owners owners;
     std::vector<std::int64_t> corners;  ///< numbers of vertices, from 0, which may still be to come
-    std::int64_t vertices_before = 0;   ///< that the file has above it
+    std::int64_t vertices_before = 0;   ///< number of vertices above it in the file
 
     /// A number of a vertex that there is not, as the file has it.
     [[nodiscard]] std::int64_t written(std::int64_t vertex) const {
@@ -109,7 +109,7 @@ class ObjReader {
     bool closed_ = false;
     double scale_ = 1;
     char up_ = up_in_scenes;
-    std::unordered_map<std::size_t, std::size_t> polygons_of_;  ///< by name, so far
+    std::unordered_map<std::size_t, std::size_t> polygons_of_;  ///< number of polygons so far, by name
     std::vector<FaceMaterial> materials_;
 
     static std::string rest(const Words& words) {

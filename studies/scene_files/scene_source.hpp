@@ -11,11 +11,11 @@ namespace ff::studies {
 /// Where a scene comes from. A study names a scene file beside it, whose text becomes part of the study, so that stores
 /// need no other file and a changed text is a different study.
 struct SceneSource {
-    std::string name;                  ///< "cube", "box:1x2x3" or that of a file
-    std::string zone;                  ///< or space of an EnergyPlus file; empty: the only one
-    std::vector<std::string> mirrors;  ///< faces that mirror
+    std::string name;                  ///< "cube", "box:1x2x3" or the name of a file
+    std::string zone;                  ///< zone or space of an EnergyPlus file; empty: the only one
+    std::vector<std::string> mirrors;  ///< faces that are mirrors
     std::optional<std::string>
-        text;  ///< of the file, a mesh converted to OBJ; empty for built-in scenes and until it is read
+        text;  ///< text of the file, a mesh converted to OBJ; empty for built-in scenes and until it is read
 
     /// Whether the name is that of a file: it ends with .toml, .obj, .vs3, .idf, .epJSON or an ending of
     /// meshes.

@@ -92,8 +92,8 @@ class Vs3Reader {
     std::map<long, Vector3d> vertices_;
     std::vector<Vs3Surface> surfaces_;
     std::map<long, std::size_t> by_number_;           ///< place in `surfaces_`
-    std::map<long, std::vector<std::size_t>> parts_;  ///< by number of their base, places in `surfaces_`
-    std::map<long, int> faces_;                       ///< by number of a surface
+    std::map<long, std::vector<std::size_t>> parts_;  ///< places in `surfaces_`, by the number of their base
+    std::map<long, int> faces_;                       ///< faces by the number of a surface
     std::vector<MaskedPart> masks_;
     std::vector<FaceMaterial> materials_;
     std::size_t moved_ = 0;  ///< parts that did not fit their bases for rounding

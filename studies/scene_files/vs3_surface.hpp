@@ -47,7 +47,7 @@ struct Vs3Shape {
 struct FitOnBase {
     std::string problem;  ///< as a verb and what goes before the base's name; empty: none
     std::string reason;   ///< in brackets, with a blank before it; empty where there is nothing to add
-    double off = 0;       ///< how far it had to be moved, or was cut off; 0: it is as it was
+    double off = 0;       ///< how far it was moved, or cut off; 0: it is unchanged
 };
 
 /// Coordinates with two or three digits behind the point put parts off their bases by some 1e-3 of a wall's size.

@@ -12,7 +12,7 @@ namespace ff::studies {
 namespace {
 
 struct Entry {
-    std::string section;  ///< as it is written; of a method with its name
+    std::string section;  ///< section as written; of a method, with its name
     std::string key;
     std::string value;
 };

@@ -94,20 +94,20 @@ struct Gate {
     std::vector<std::string> pairs;                    ///< "all", a class, or pairs "1-6"
     std::string pairs_place;
 
-    std::optional<std::uint64_t> trials;  ///< instead of a planned number
+    std::optional<std::uint64_t> trials;  ///< number of trials, instead of a planned one
     Against against = Against::exact;
-    std::optional<double> reference;     ///< for Against::number
+    std::optional<double> reference;     ///< the number of Against::number
     std::optional<double> reference_se;  ///< standard error of `reference`
     std::optional<KnownLaw> law;         ///< `reference` of a distribution
-    std::string quantity;                ///< in a file of estimates; empty for our own
+    std::string quantity;                ///< quantity in a file of estimates; empty for our own trials
 
     IntervalMethod interval = IntervalMethod::student_t;  ///< coverage
     double interval_level = 0.95;                         ///< coverage
     std::uint64_t replicates = 10;                        ///< coverage: trials behind one interval
-    Combination combine = Combination::holm;              ///< bins of a quantity
-    std::filesystem::path covariance;                     ///< for Combination::chi_squared; empty: independent
-    bool relative = false;                                ///< the band is a share of each bin's reference
-    std::optional<double> kurtosis;                       ///< largest of the samples behind a standard error
+    Combination combine = Combination::holm;              ///< how the bins of a quantity are combined
+    std::filesystem::path covariance;  ///< file for Combination::chi_squared; empty: bins are independent
+    bool relative = false;             ///< the band is a share of each bin's reference
+    std::optional<double> kurtosis;    ///< largest kurtosis of the samples behind a standard error
     Anytime anytime = Anytime::no;
     Band bounds;               ///< range of possible values, where one is assumed
     double tightest_at = 100;  ///< values at which an anytime gate on normal ones sees most

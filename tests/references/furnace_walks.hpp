@@ -38,7 +38,7 @@ class FurnaceWalks {
 
     std::mt19937_64 engine_;
     Vector place_{};
-    std::size_t axis_ = 0;  ///< of the normal
+    std::size_t axis_ = 0;  ///< axis of the normal
     double side_ = 1;       ///< its sign
 
     double uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }

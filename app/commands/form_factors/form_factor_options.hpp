@@ -21,7 +21,7 @@ struct FormFactorsCommand {
     std::string scene;           ///< built-in name, or a file; empty: load a matrix
     std::filesystem::path load;  ///< folder or store of an earlier run; empty: none
     std::string faces;    ///< what a face of an OBJ file or a mesh is: "group", "object", "material" or "polygon"
-    std::string zone;     ///< of an EnergyPlus file, or a space
+    std::string zone;     ///< zone or space of an EnergyPlus file
     bool closed = false;  ///< treat an OBJ file or a mesh as closed
     std::optional<double> scale;             ///< what lengths of an OBJ file or a mesh are multiplied by
     std::string up;                          ///< its axis that points up: "x", "y" or "z"; empty: not said
@@ -34,7 +34,7 @@ struct FormFactorsCommand {
     bool dry_run = false;
     bool whole_matrix = false;
     std::filesystem::path out;         ///< empty: nothing is written
-    std::string from;                  ///< points, "point:x,y,z,nx,ny,nz" or a file, to whose factors all is reduced
+    std::string from;                  ///< points, "point:x,y,z,nx,ny,nz" or a file: only their factors are computed
     bool text = false;                 ///< also text files of a large matrix
     std::vector<std::string> formats;  ///< formats of other programs, for files in `out`
     bool quiet = false;

@@ -29,7 +29,7 @@ using PrepareGates = std::function<RunGates(const studies::gates::Spec&)>;
 struct CheckSession {
     const CheckCommand& command;
     studies::gates::Spec spec;
-    std::map<std::string, std::string> context;  ///< for context.json
+    std::map<std::string, std::string> context;  ///< content of context.json
     PrepareGates prepare;                        ///< null where no gate has to be run
 
     [[nodiscard]] std::filesystem::path out() const;

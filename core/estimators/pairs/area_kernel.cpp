@@ -119,8 +119,8 @@ double graded_transfer(const GradedPair& pair, const Normals& normals, WeightedB
 
 /// The pairs of patches of two surfaces that are graded.
 struct GradedPatches {
-    std::vector<GradedPair> pairs;                  ///< by source patch, then by target patch
-    std::vector<std::vector<std::size_t>> targets;  ///< by source patch, ascending
+    std::vector<GradedPair> pairs;                  ///< in the order of source patches, then of target patches
+    std::vector<std::vector<std::size_t>> targets;  ///< targets of each source patch, ascending
 };
 
 GradedPatches find_graded(const SurfacePair& pair, PointMap map) {
@@ -142,7 +142,7 @@ GradedPatches find_graded(const SurfacePair& pair, PointMap map) {
 struct Offsets {
     std::vector<Eigen::Vector3d> offsets;
     std::vector<std::size_t> targets;
-    std::vector<double> sums;  ///< by target; empty where they are not wanted
+    std::vector<double> sums;  ///< one for each target; empty where they are not wanted
 
     void collect(const SurfacePair& pair, std::size_t source, const std::vector<std::size_t>& left_out) {
         offsets.clear();

@@ -45,7 +45,7 @@ class PointToVisiblePolygon {
         VisiblePolygon polygon;
     };
     const Scene* scene_;
-    std::vector<std::vector<Target>> targets_;  ///< by surface that sees them
+    std::vector<std::vector<Target>> targets_;  ///< targets of each surface that sees some
 };
 
 }  // namespace ff

@@ -14,7 +14,7 @@ namespace ff {
 struct SourcePatch {
     std::uint32_t surface = 0;  ///< index into Scene::surfaces
     Grid grid = undivided;
-    std::uint32_t index = 0;  ///< in the grid
+    std::uint32_t index = 0;  ///< position in the grid
 };
 
 /// Adds to `sums`, by surface of the scene, the sum over the points of a block of weight * (the form factor from the

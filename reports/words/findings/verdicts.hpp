@@ -28,7 +28,7 @@ struct BiasTally {
     std::size_t partly = 0;                  ///< cells without a bias found, some pairs of which have no test
     std::size_t shown = 0;                   ///< cells whose bias is shown to lie within the margin
     double detectable = 0;                   ///< the largest of their minimum detectable biases
-    std::optional<std::uint64_t> lost_rays;  ///< of all cells; empty where none shoots rays
+    std::optional<std::uint64_t> lost_rays;  ///< lost rays of all cells; empty where no cell shoots rays
 };
 BiasTally tally_of(const studies::Analysis& findings);
 

@@ -189,7 +189,7 @@ class Lines {
     struct Line {
         Vector3d place;               ///< on it
         Vector3d across;              ///< it, in the plane of the source; unit length
-        std::vector<double> heights;  ///< of the source's corners
+        std::vector<double> heights;  ///< heights of the source's corners
     };
     const BlockedPair& pair_;
     std::size_t most_parts_;

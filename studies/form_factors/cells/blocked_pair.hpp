@@ -20,7 +20,7 @@ struct BlockedPair {
     ConvexPolygon source;  ///< empty where nothing of it is in front of the target, or the other way round
     ConvexPolygon target;
     std::vector<ConvexPolygon> blockers;  ///< without those of which nothing is left
-    std::vector<std::uint32_t> indices;   ///< of these among those that may stand between
+    std::vector<std::uint32_t> indices;   ///< indices of these among those that may stand between
     double size = 0;                      ///< largest distance of a corner from the origin
 
     BlockedPair(const Surface& from, const Surface& to, const std::vector<Blocker>& between);
@@ -30,7 +30,7 @@ struct BlockedPair {
 struct RimEdge {
     Eigen::Vector3d a;
     Eigen::Vector3d b;
-    std::size_t blocker = 0;  ///< in BlockedPair::blockers
+    std::size_t blocker = 0;  ///< index into BlockedPair::blockers
 };
 
 /// Those of a pair. Left out are edges that no line between the two ends crosses, and those between two blockers whose

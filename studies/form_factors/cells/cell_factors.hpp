@@ -77,7 +77,7 @@ class RoundSource {
   private:
     SurfaceMap map_;
     double area_;
-    double turn_ = 0;  ///< of the normal at most, per length in the rectangle
+    double turn_ = 0;  ///< largest turn of the normal per length in the rectangle
     Eigen::Vector2d size_ = Eigen::Vector2d::Zero();
 };
 
@@ -88,14 +88,14 @@ using Factors = std::array<double, 2>;
 /// A part of the source with the factors at the nodes of a rule.
 struct Cell {
     Quadrilateral shape;
-    std::vector<std::uint32_t> blockers;  ///< that may hide something; none between lines, where all count
-    std::vector<Factors> at_nodes;        ///< those of one u together
+    std::vector<std::uint32_t> blockers;  ///< blockers that may hide something; empty between lines, where all count
+    std::vector<Factors> at_nodes;        ///< factors at the nodes, those of one u together
     Factors integral{};
     Factors left{};  ///< what is left between the nodes, as an exchange area
     // Upper bounds of the factor times the area, and of its change times a third of the area; 0 between lines.
     Factors jumps{};
     double change = 0;
-    std::uint32_t places = 1;  ///< random ones in each randomisation
+    std::uint32_t places = 1;  ///< random places in each randomisation
 
     /// What random places may miss, where they may miss a share u of it, is at most this times u^(3/2), and for
     /// three times the share (docs/statistics.md); and where it jumps, at most `jumps` times u.
@@ -138,7 +138,7 @@ class CellFactors {
 
     struct RandomPlace {
         Eigen::Vector2d uv;
-        double area = 0;  ///< that it stands for
+        double area = 0;  ///< area that it stands for
     };
     /// @param xy  uniform in the unit square
     [[nodiscard]] RandomPlace random_place(const Cell& cell, const Eigen::Vector2d& xy) const;

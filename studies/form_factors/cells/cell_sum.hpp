@@ -14,8 +14,8 @@ namespace ff::studies::form_factors {
 struct CellSum {
     SampledSum sum;
     std::uint64_t evaluations = 0;
-    bool between_lines = true;  ///< all cells are; else some are of a source that is not cut
-    bool at_limit = false;      ///< they went as far as they may
+    bool between_lines = true;  ///< all cells lie between lines; otherwise some belong to a source that is not cut
+    bool at_limit = false;      ///< the division reached its limit
 };
 
 /// The exchange area of a pair of faces by Gauss's rule in cells of the source (`DividedSource`). Random places in each

@@ -14,8 +14,8 @@ namespace ff::studies::form_factors {
 /// Where the division of a source ends.
 struct CellLimits {
     double wanted = 0;                        ///< half width to reach
-    double level = 0.95;                      ///< of the interval that is to be so wide
-    std::uint64_t evaluations = 0;            ///< most of them
+    double level = 0.95;                      ///< level of the interval with that half width
+    std::uint64_t evaluations = 0;            ///< largest number of evaluations
     const std::atomic<bool>* stop = nullptr;  ///< set by another thread: nothing is divided any more
 };
 
@@ -50,13 +50,13 @@ class DividedSource {
     CellLimits limits_;
     CellFactors factors_;
     double unmet_share_;
-    double tolerances_;  ///< that the whole exchange area is large, or may be
+    double tolerances_;  ///< size of the whole exchange area, or its upper bound, in tolerances
     const CellRule& rule_;
-    std::optional<PartBounds> bounds_;  ///< where the source is not cut
+    std::optional<PartBounds> bounds_;  ///< empty where the source is cut
     std::vector<Cell> cells_;
     std::uint64_t places_ = 0;
     Side side_ = visible;
-    double left_ = 0;  ///< of that side, between the nodes of all cells
+    double left_ = 0;  ///< what is left of that side, between the nodes of all cells
     bool is_fine_enough_ = false;
     std::vector<Eigen::Vector2d> uvs_;
 

@@ -31,7 +31,7 @@ using Vertex = std::array<Field, 3>;
 struct Object {
     const Class* kind = nullptr;
     std::uint64_t line = 0;
-    std::map<std::string, Field, std::less<>> fields;  ///< by the names of the schema for epJSON
+    std::map<std::string, Field, std::less<>> fields;  ///< fields by their names in the schema of epJSON
     std::vector<Vertex> vertices;
 
     /// The text of a field; empty where there is none.

@@ -9,7 +9,7 @@ namespace ff::studies::meshes {
 /// What a mesh file is by its content.
 struct MeshKind {
     std::string_view name;       ///< "a PLY file"
-    std::string_view extension;  ///< that its name should have
+    std::string_view extension;  ///< extension that its name should have
     /// Reads all bytes of the file of that name; null where another library does. @throws UserError
     SurfaceMesh (*read)(std::string_view file, std::string_view bytes) = nullptr;
 };

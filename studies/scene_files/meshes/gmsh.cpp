@@ -66,7 +66,7 @@ class GmshReader {
     Version version_ = Version::two;
     NumberType size_type_{NumberType::Kind::natural, 8};
     GmshSurfaces surfaces_;
-    std::unordered_map<std::int64_t, std::int64_t> points_;                            ///< by tag of the node
+    std::unordered_map<std::int64_t, std::int64_t> points_;  ///< points by the tag of the node
     std::unordered_map<std::int64_t, std::vector<std::int64_t>> physical_of_surface_;  ///< by tag
 
     void read_section(const std::string& name) {

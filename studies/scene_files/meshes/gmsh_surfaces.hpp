@@ -39,8 +39,8 @@ class GmshSurfaces {
         std::vector<std::int64_t> physical;  ///< above 0; empty: none
     };
 
-    std::unordered_map<std::int64_t, std::string> names_;  ///< of physical surfaces, by tag
-    std::unordered_map<std::int64_t, std::size_t> sizes_;  ///< elements of physical surfaces, by tag
+    std::unordered_map<std::int64_t, std::string> names_;  ///< names of physical surfaces, by tag
+    std::unordered_map<std::int64_t, std::size_t> sizes_;  ///< numbers of elements of physical surfaces, by tag
     std::vector<Element> elements_;
     std::map<Nodes, std::size_t> by_corners_;  ///< the first element that has them
 

@@ -45,7 +45,7 @@ class OffReader {
     std::string_view rest_;
     SurfaceMesh mesh_;
     std::string_view line_;
-    std::uint64_t number_ = 0;  ///< of the line
+    std::uint64_t number_ = 0;  ///< number of the line
     std::string missing_ = "its numbers of vertices and polygons";
 
     [[noreturn]] void fail(std::string_view problem) const {

@@ -26,7 +26,7 @@ constexpr std::array ply_encodings{PlyEncoding{"ascii", Encoding::text},
 struct Property {
     std::string name;
     NumberType type;
-    std::optional<NumberType> count_type;  ///< of the length of a list; none: a single number
+    std::optional<NumberType> count_type;  ///< type of the length of a list; empty: a single number
 
     [[nodiscard]] bool holds_corners() const {
         return count_type && (name == "vertex_indices" || name == "vertex_index");

@@ -46,7 +46,7 @@ class SurfaceMesh {
     std::string file_;
     std::vector<Eigen::Vector3d> points_;
     std::unordered_map<std::size_t, std::size_t> vertices_;  ///< number in the text, from 1, by that of the point
-    std::string notes_;                                      ///< as comments
+    std::string notes_;                                      ///< notes, as comments of an OBJ file
     std::string text_;
     std::string group_;
     std::uint64_t volume_cells_ = 0;

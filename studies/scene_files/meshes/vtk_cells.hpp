@@ -21,9 +21,9 @@ inline constexpr std::int64_t vtk_polygon = 7;
 
 /// Cells as files of VTK have them.
 struct VtkCells {
-    std::vector<std::int64_t> points;  ///< of all cells, one after the other, numbered within their piece
-    std::vector<std::int64_t> ends;    ///< of each cell, in `points`
-    std::vector<std::int64_t> types;   ///< one for each cell
+    std::vector<std::int64_t> points;  ///< points of all cells, one cell after the other, numbered within their piece
+    std::vector<std::int64_t> ends;    ///< end of each cell in `points`
+    std::vector<std::int64_t> types;   ///< type of each cell
 
     /// Adds cells of one type, whose ends count from the first of them.
     void append(const VtkCells& more, std::int64_t type);
@@ -54,7 +54,7 @@ struct VtkArrays {
 
 /// A part of a file with points and cells of its own.
 struct VtkPiece {
-    std::size_t first_point = 0;  ///< in the mesh
+    std::size_t first_point = 0;  ///< number of its first point in the mesh
     std::size_t points = 0;
     VtkCells cells;
     VtkArrays arrays;

@@ -46,7 +46,7 @@ class EncodedBytes {
     const std::string& place_;
     std::string_view text_;
     ByteForm form_;
-    std::string decoded_;  ///< of the last group of base64, what was not taken yet
+    std::string decoded_;  ///< the bytes of the last group of base64 that were not taken yet
 
     void decode_group() {
         constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

@@ -11,7 +11,7 @@ namespace ff::studies::meshes {
 struct Packing {
     Encoding encoding = Encoding::little_endian;
     NumberType header{NumberType::Kind::natural, 4};
-    bool is_compressed = false;  ///< by zlib, in blocks
+    bool is_compressed = false;  ///< compressed by zlib, in blocks
 };
 
 /// How bytes stand in a file: in base64 or as they are.

@@ -70,7 +70,7 @@ class LegacyReader {
     VtkCells cells_;
     Owner owner_ = Owner::none;
     std::uint64_t owned_ = 0;  ///< cells or points that arrays are of
-    VtkArrays arrays_;         ///< of cells
+    VtkArrays arrays_;         ///< arrays of cells
 
     void read_section(const std::string& keyword) {
         for (std::size_t i = 0; i < sections.size(); ++i) {

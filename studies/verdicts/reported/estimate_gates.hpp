@@ -14,7 +14,7 @@ namespace ff::studies::gates {
 
 /// The dependence of trials, and its consequence for their mean.
 struct Independence {
-    std::optional<stats::Autocorrelation> correlation;  ///< if there is one
+    std::optional<stats::Autocorrelation> correlation;  ///< serial correlation, if there is one
     std::string note;                                   ///< the finding in words, if there is one
     bool enough = true;                                 ///< enough trials to judge the cost of a correlation
 };

@@ -15,9 +15,9 @@ namespace ff::studies::gates {
 /// The effect in one bin of another program's report. A million of them are judged per second, so intervals are
 /// computed only for the worst.
 struct BinEffect {
-    double value = 0;          ///< a difference, or a ratio
-    double error = 0;          ///< standard error of a difference, > 0; approximate for shares, 0 for ratios
-    double freedom = 0;        ///< of `error`, or of a ratio's numerator; may be infinite; 0 where not known
+    double value = 0;    ///< a difference, or a ratio
+    double error = 0;    ///< standard error of a difference, > 0; approximate for shares, 0 for ratios
+    double freedom = 0;  ///< degrees of freedom of `error`, or of a ratio's numerator; may be infinite; 0 where unknown
     double freedom_below = 0;  ///< degrees of freedom of a ratio's denominator; may be infinite
     Band band;
     std::uint32_t name = 0;  ///< number of the bin, chosen by the caller

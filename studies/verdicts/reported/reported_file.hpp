@@ -42,8 +42,8 @@ struct ReportedFile {
     Holds holds = Holds::means;
     std::vector<std::string> quantities;         ///< in the order of their first rows
     std::vector<std::string> names;              ///< names of the bins
-    std::vector<std::vector<ReportedRow>> rows;  ///< by quantity, in the order of bins and runs
-    bool has_errors = false;                     ///< the column standard_error
+    std::vector<std::vector<ReportedRow>> rows;  ///< rows of each quantity, in the order of bins and runs
+    bool has_errors = false;                     ///< whether the file has the column standard_error
     bool has_n = false;
     bool has_cost = false;
     bool has_runs = false;

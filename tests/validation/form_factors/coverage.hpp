@@ -13,7 +13,7 @@ struct FormFactorCoverageOptions {
     Seed seed{1};  ///< the first seed
     std::uint64_t seeds = 200;
     double tolerance = 0.004;
-    double level = 0.95;  ///< of the intervals
+    double level = 0.95;  ///< level of the intervals
     double shrink = 1;    ///< factor on the width of every sampled interval; below 1: a control to be caught
     unsigned threads = 1;
     bool cells = true;                ///< false: rays instead, whose intervals are less cautious
@@ -25,13 +25,13 @@ struct FormFactorCoverageOptions {
 /// How often the intervals of `find_matrix` contain known values.
 struct FormFactorCoverage {
     FormFactorCoverageOptions options;
-    RateTable entries;                 ///< of each sampled pair of faces of the catalogue
-    RateTable matrices;                ///< of all known pairs of a scene at once, at LevelOf::matrix
-    RateTable adversarial;             ///< of random scenes that points could miss something in, pooled
-    RateTable facets;                  ///< of random scenes of many faces (tiled_walls.hpp)
-    double level = 0;                  ///< of the interval of one rate, such that all hold together with 0.95 (Sidak)
-    std::size_t exact_pairs = 0;       ///< known pairs whose error has a bound, in all runs
-    std::size_t exact_missed = 0;      ///< those whose bound did not hold
+    RateTable entries;             ///< each sampled pair of faces of the catalogue
+    RateTable matrices;            ///< all known pairs of a scene at once, at LevelOf::matrix
+    RateTable adversarial;         ///< random scenes in which points could miss something, pooled
+    RateTable facets;              ///< random scenes of many faces (tiled_walls.hpp)
+    double level = 0;              ///< level of the interval of one rate, such that all hold together with 0.95 (Sidak)
+    std::size_t exact_pairs = 0;   ///< known pairs whose error has a bound, in all runs
+    std::size_t exact_missed = 0;  ///< those whose bound did not hold
     std::size_t out_of_tolerance = 0;  ///< runs that missed the tolerance
 
     /// Those that were measured, for reports.

@@ -47,8 +47,8 @@ void add(stats::Proportion& share, bool hit) {
 
 /// What entries of one kind show, in a scene or in all.
 struct FacetTally {
-    stats::Proportion inside, beyond;          ///< of all entries
-    stats::Proportion one_inside, one_beyond;  ///< of one entry of each pair
+    stats::Proportion inside, beyond;          ///< shares of all entries
+    stats::Proportion one_inside, one_beyond;  ///< shares of one entry of each pair
     stats::Proportion fine;
     std::uint64_t clipped_beyond = 0;  ///< of all entries
     double worst = 0;

@@ -16,10 +16,11 @@ namespace ff::studies::form_factors {
 struct FacetCoverageOptions {
     Seed seed{1};  ///< the first seed
     std::uint64_t seeds = 100;
-    std::size_t pairs = 1600;  ///< drawn of each method in each scene, at each tolerance; fewer where there are fewer
+    std::size_t pairs =
+        1600;  ///< pairs drawn for each method in each scene, at each tolerance; fewer where there are fewer
     unsigned threads = 1;
     double shrink = 1;  ///< factor on the width of every sampled interval; below 1: a control to be caught
-    double shift = 0;   ///< of every sampled interval, in half widths: another one
+    double shift = 0;   ///< shift of every sampled interval, in half widths: another control
     ReferenceEffort effort;
     FacetScenes scenes = FacetScenes::large;
 };
@@ -33,9 +34,9 @@ struct FacetKind {
     /// Rates over one entry of each pair, so that entries are independent: the two claims, then the same scene by
     /// scene.
     RateTable rates;
-    stats::Proportion inside;          ///< of all entries with all seeds
-    stats::Proportion beyond;          ///< two half widths
-    stats::Proportion fine;            ///< inside, of those whose reference is at least ten times as narrow
+    stats::Proportion inside;          ///< entries inside their intervals, of all entries with all seeds
+    stats::Proportion beyond;          ///< entries beyond two half widths
+    stats::Proportion fine;            ///< entries inside, of those whose reference is at least ten times as narrow
     double worst = 0;                  ///< farthest distance from the interval, in half widths
     std::vector<std::string> outside;  ///< the entries that are farthest outside, some of them
 };
@@ -46,8 +47,8 @@ struct FacetCoverage {
     std::string scenes;  ///< their names and sizes
     std::vector<FacetKind> kinds;
     std::size_t references = 0;
-    std::size_t wide_references = 0;  ///< those that do not reach their accuracy
-    double level = 0;                 ///< of the interval of one rate, such that all hold together with 0.95 (Sidak)
+    std::size_t wide_references = 0;  ///< references that do not reach their accuracy
+    double level = 0;  ///< level of the interval of one rate, such that all hold together with 0.95 (Sidak)
 
     [[nodiscard]] std::size_t contradictions() const;  ///< claims that the intervals exclude
 };

@@ -21,7 +21,7 @@ struct FacetEntry {
     bool is_clipped = false;  ///< FaceExchange::clipped
     bool is_one = false;      ///< the one entry of its pair that counts where entries are to be independent
     double tolerance = 0;
-    double smaller_area = 1;  ///< of the faces; 1 for a sum
+    double smaller_area = 1;  ///< the smaller area of the two faces; 1 for a sum
     double value = 0;         ///< exchange area, or sum
     double low = 0;
     double high = 0;
@@ -31,8 +31,8 @@ struct FacetEntry {
 struct FacetEntries {
     std::vector<FacetEntry> entries;
     std::vector<PlainReference> references;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  ///< that they are of; that of a row sum is (0, 0)
-    std::size_t wide_references = 0;                             ///< that do not reach their accuracy
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  ///< pairs of the entries; that of a row sum is (0, 0)
+    std::size_t wide_references = 0;                             ///< references that do not reach their accuracy
 };
 
 FacetEntries facet_entries(const Scene& scene, const FacetCoverageOptions& options);

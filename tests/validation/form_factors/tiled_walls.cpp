@@ -39,7 +39,7 @@ double factor_from_origin(const Rectangle& seen, double height) {
 /// Along one axis: places on a tile, what is opposite, and the plate's shadow there.
 struct Axis {
     Range tile, opposite, plate;
-    double magnification = 1;  ///< of the shadow
+    double magnification = 1;  ///< magnification of the shadow
 
     [[nodiscard]] double shadow(double edge, double place) const { return place + (edge - place) * magnification; }
     /// The opposite tile or its part in the shadow, relative to a place.

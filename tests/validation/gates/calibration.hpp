@@ -12,8 +12,8 @@ namespace ff::studies::gates {
 struct PValues {
     std::string what;
     std::size_t n = 0;
-    double distance = 0;  ///< Kolmogorov and Smirnov's, from uniform
-    double p = 0;         ///< of that distance
+    double distance = 0;  ///< Kolmogorov-Smirnov distance from the uniform distribution
+    double p = 0;         ///< p-value of that distance
 };
 
 /// The rule of gates (verdict.hpp) on trials with a known distribution: false alarms, wrong passes,

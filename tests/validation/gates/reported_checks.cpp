@@ -20,10 +20,10 @@ struct Array {
     std::size_t bins = 100;
     std::size_t runs = 1;
     double correlation = 0;  ///< between the bins of a run
-    double shift = 0;        ///< of the first `shifted` bins
+    double shift = 0;        ///< shift of the first `shifted` bins
     std::size_t shifted = 0;
     double stated = 1;        ///< errors stated over true ones
-    std::size_t batches = 0;  ///< that an error is estimated from; 0: it is known
+    std::size_t batches = 0;  ///< batches from which an error is estimated; 0: it is known
 };
 
 /// Estimated from normal batches: a root mean square of as many minus one.

@@ -12,7 +12,7 @@ namespace ff::studies::gates {
 
 struct SelftestOptions {
     Seed seed{1};
-    std::uint64_t repetitions = 20'000;  ///< of every rate on made-up trials
+    std::uint64_t repetitions = 20'000;  ///< repetitions for every rate on made-up trials
     std::uint64_t seeds = 200;           ///< seeds with which every control is run
     unsigned threads = 1;
 };
@@ -24,7 +24,7 @@ struct Selftest {
     Calibration calibration;
     std::vector<RateTable> estimates;  ///< skewed, correlated, heavy-tailed, repeated files
     RateTable coverage;
-    double level = 0;  ///< of the interval of one rate, such that all of them hold together with probability 0.99
+    double level = 0;  ///< level of the interval of one rate, such that all of them hold together with probability 0.99
 
     [[nodiscard]] std::vector<RateTable> tables() const;  ///< all of them, in the order of the report
     [[nodiscard]] std::size_t contradictions() const;     ///< claims that the intervals exclude

@@ -12,7 +12,7 @@ struct FlowCoverage {
     form_factors::FormFactorCoverageOptions options;
     RateTable flows;     ///< all powers and temperatures of a scene at once
     RateTable narrower;  ///< the same with a tenth of the width, for comparison
-    double level = 0;    ///< of the interval of one rate, such that all hold together with 0.95 (Sidak)
+    double level = 0;    ///< level of the interval of one rate, such that all hold together with 0.95 (Sidak)
 
     [[nodiscard]] std::size_t contradictions() const;  ///< rates below the level
 };

@@ -153,7 +153,7 @@ Scene random_scene(stats::Draws& draws) {
 
 struct Compared {
     std::uint64_t scenes = 0;
-    std::uint64_t uncut = 0;         ///< of these, sources that were not cut along lines
+    std::uint64_t uncut = 0;         ///< estimates among these whose source was not cut along lines
     std::uint64_t beyond = 0;        ///< beyond twice the half width and what the plain way may be off
     std::uint64_t beyond_plain = 0;  ///< beyond that of a value that is off by a fiftieth of what is hidden
 };

@@ -44,7 +44,7 @@ constexpr std::uint64_t contradiction_runs = 200;
 /// What becomes of the estimate for the first two faces, counted over runs with different seeds.
 struct Outcome {
     std::uint64_t contradicted = 0;
-    std::uint64_t held = 0;  ///< of these, intervals that hold the exact value
+    std::uint64_t held = 0;  ///< intervals among these that hold the exact value
 };
 
 /// The outcome for two discs, which are sampled by rays.

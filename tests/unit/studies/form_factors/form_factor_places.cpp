@@ -82,7 +82,7 @@ Matrix matrix_with_seed(const Scene& scene, std::uint64_t seed) {
 /// Somewhere up to 10^7 sizes away, some size and some direction.
 struct Move {
     Eigen::Matrix3d turn;
-    Vector3d by;  ///< in sizes of the scene
+    Vector3d by;  ///< displacement in sizes of the scene
     double scale;
 
     [[nodiscard]] Scene of(const Scene& scene) const { return placed(turned(scene, turn), {-by, 1 / scale}); }

@@ -131,7 +131,7 @@ class RandomRoom {
 /// An exchange area by lines between random places, with all surfaces in between.
 struct ByLines {
     stats::Moments values;
-    double most = 0;  ///< that a line may count
+    double most = 0;  ///< largest value that a line may count
 };
 
 ByLines by_lines(const Scene& scene, const Surface& from, const Surface& to, stats::Draws& draws, bool forgets_one) {

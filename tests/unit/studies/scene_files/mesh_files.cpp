@@ -123,7 +123,7 @@ TEST(GmshFiles, ReverseSurfacesWithANegativePhysicalTag) {
 
 struct Fault {
     std::string_view name;
-    std::string_view part;  ///< of the sample that is changed
+    std::string_view part;  ///< part of the sample that is changed
     std::string_view from;
     std::string_view to;
     std::string_view message;
