@@ -15,17 +15,17 @@
 
 namespace ff::app {
 
-// What the command line consists of, as commands define it; app/command_line/parser.cpp alone knows the library that
+// The parts of the command line, as commands define them; only app/command_line/parser.cpp knows the library that
 // parses it.
 
-/// What an option fills in. The type decides which texts are values of the option: of a bool it is a flag without a
-/// value, of a vector it takes several; a function is called where the flag is given.
+/// The variable that an option fills in. Its type decides which texts are values of the option: for a bool it is a flag
+/// without a value, for a vector it takes several values; a function is called where the flag is given.
 using OptionTarget = std::variant<bool*, double*, std::uint32_t*, std::uint64_t*, std::string*, std::filesystem::path*,
                                   std::optional<double>*, std::optional<std::uint32_t>*, std::optional<std::uint64_t>*,
                                   std::optional<std::string>*, std::vector<std::string>*,
                                   std::vector<std::filesystem::path>*, void (*)()>;
 
-/// Which numbers an option takes, of those that its target can hold.
+/// Which of the numbers that its target can hold an option accepts.
 enum class Numbers { all, not_negative, positive };
 
 struct OptionRules {
@@ -51,9 +51,8 @@ struct CommandDefinition {
     std::string group;  ///< heading of the command in --help; empty: it is hidden
     std::string name;
     std::string summary;
-    std::vector<OptionDefinition> options;  ///< and arguments, in the order of --help
-    std::vector<std::string>* unparsed =
-        nullptr;  ///< receives everything after the command, including --help; null: nothing
+    std::vector<OptionDefinition> options;         ///< and arguments, in the order of --help
+    std::vector<std::string>* unparsed = nullptr;  ///< receives all after the command, including --help; null: nothing
     std::function<ExitCode()> action;
 
     /// @param target  of a type that OptionTarget lists; it lives until the action has ended

@@ -4,7 +4,7 @@ namespace ff::app {
 
 struct ProgramDefinition;
 
-// Each adds a command, or several, with its options; in the order of --help.
+// Each function adds one or more commands with their options; in the order of --help.
 
 void add_form_factors(ProgramDefinition& program);
 void add_heat(ProgramDefinition& program);

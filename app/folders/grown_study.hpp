@@ -16,7 +16,7 @@ namespace ff::app {
 /// @throws UserError where trials would have to be set aside but may not; IoError
 std::string grow_study(OutputFolder& folder, const studies::StudyPlan& plan, bool replace, unsigned threads);
 
-/// The same, in words about what would be done, without doing it.
+/// Says in the same words what would be reused, without doing anything.
 std::string describe_growth(const std::filesystem::path& folder, const studies::StudyPlan& plan);
 
 }  // namespace ff::app

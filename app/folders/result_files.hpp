@@ -64,7 +64,7 @@ studies::Store open_or_create(OutputFolder& out, const studies::StudyPlan& plan)
 /// Warns that a store has no checksums.
 void note_unchecked(const std::filesystem::path& file);
 
-/// Turns the store of a run into a single file, or tells on stderr why it could not.
+/// Turns the store of a run into a single file, or says on stderr why it could not.
 void seal(studies::Store& store, bool quiet);
 
 /// Results of a store. A signal ends the evaluation of systems between patches gracefully, and anything else at once.

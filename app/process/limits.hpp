@@ -30,7 +30,7 @@ class TimeLimit {
     std::jthread clock_;
 };
 
-/// The same when this process has grown beyond a limit of bytes, and says so; without a limit, when it has taken most
+/// Does the same, with a message, when this process exceeds a limit of bytes; without a limit, when it has taken most
 /// of the machine's memory and hardly any is left, before the system kills it.
 class MemoryLimit {
   public:

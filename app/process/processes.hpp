@@ -25,15 +25,16 @@ class Processes {
     /// This process's part of the work.
     [[nodiscard]] const studies::Shard& part() const { return part_; }
 
-    /// What the leader gives is what all get; every process calls this once.
+    /// Every process calls this once, and all receive what the leader passes.
     std::vector<bool> share_finished(std::vector<bool> finished) const;
 
-    /// For the others: does `work`, which sends messages, and returns when the leader has all messages of all. While
-    /// it works, an end that is asked for here (app/process/signals.hpp) is asked for in all processes.
+    /// For processes other than the leader: does `work`, which sends messages, and returns when the leader has all
+    /// messages of all processes. While it works, a request to stop here (app/process/signals.hpp) is passed on to all
+    /// processes.
     void assist(const std::function<void()>& work) const;
     void send(std::span<const std::uint64_t> message) const;
-    /// For the leader: delivers what the others send, until all have come to their end or `deliver` is false, and tells
-    /// all of an end that is asked for. The only thread that communicates while it runs.
+    /// For the leader: delivers what the others send, until all have finished or `deliver` returns false, and passes
+    /// requests to stop on to all of them. The only thread that communicates while it runs.
     void receive(const std::function<bool(std::span<const std::uint64_t>)>& deliver) const;
 
   private:

@@ -23,7 +23,7 @@ void never_end_on_signals();
 /// Whether a graceful stop is requested.
 const std::atomic<bool>& stop_flag();
 
-/// Set two seconds later: work in progress is no longer waited for.
+/// Set two seconds later: do not wait for work in progress any longer.
 const std::atomic<bool>& drop_flag();
 
 /// Sets the flags like a first signal.

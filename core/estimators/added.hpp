@@ -32,7 +32,7 @@ class AddedEstimator {
 
     [[nodiscard]] const EstimatorEntry& entry() const { return entry_; }
 
-    /// From now on makes estimators as `other` does, unless it has made one already.
+    /// From now on this makes estimators as `other` does, unless it has made one already.
     void learn_from(AddedEstimator& other);
 
   private:
@@ -43,7 +43,7 @@ class AddedEstimator {
     EstimatorEntry entry_;
 };
 
-/// What code from outside gives in a trial: form factors between faces, and what it claims of their errors, if it does.
+/// Results of outside code in a trial: form factors between faces and, if it claims them, bounds of their errors.
 struct OutsideFactors {
     Eigen::MatrixXd estimates;
     Eigen::MatrixXd errors;  ///< empty, or as large as the estimates
@@ -51,7 +51,8 @@ struct OutsideFactors {
     [[nodiscard]] bool operator==(const OutsideFactors& other) const {
         return errors.size() == other.errors.size() && estimates == other.estimates && errors == other.errors;
     }
-    /// Whether some estimate is neither 0 nor 1. Where rays seldom hit, or seldom miss, trials are often equal without.
+    /// Whether some estimate is neither 0 nor 1. Where rays seldom hit, or seldom miss, trials without such an estimate
+    /// are often equal.
     [[nodiscard]] bool is_telling() const { return ((estimates.array() != 0) && (estimates.array() != 1)).any(); }
 };
 

@@ -26,7 +26,7 @@ enum class Observes {
     estimates,  ///< a real number for each form factor
 };
 
-/// What a set of points serves.
+/// What one set of points is used for.
 enum class PointsServe {
     nothing,  ///< no points are taken
     patches,  ///< one set for each patch of the source and all that it sees: `allocation` says whose the sequence is

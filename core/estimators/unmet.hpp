@@ -4,9 +4,9 @@
 
 namespace ff {
 
-/// What the evaluations of an estimator may all have missed: how large its values between two faces (numbered from 0)
-/// may be at places that few evaluations meet. These are places where a blocker begins or one face rises above the
-/// plane of the other, and peaks: a small surface close to a large one owes all its light to the few points beneath it.
+/// What all evaluations of an estimator may have missed: how large its values between two faces (numbered from 0) may
+/// be at places that few evaluations meet. These are places where a blocker begins or one face rises above the plane of
+/// the other, and peaks: a small surface close to a large one owes all its light to the few points beneath it.
 
 /// A bound of the kernel of points on two faces: area / (pi distance^2) of those of their surfaces that are nearest to
 /// each other; infinite where a distance is not shown. That of a part of a sphere to itself is constant: its share of

@@ -20,7 +20,7 @@ namespace ff {
 ///   mirror.
 std::optional<Eigen::MatrixXd> exact_room_factors(const Scene& scene);
 
-/// Why there are none, for the middle of a message.
+/// Why there are no exact factors, for the middle of a message.
 std::string why_no_exact_factors(const Scene& scene);
 
 }  // namespace ff

@@ -13,7 +13,7 @@
 
 namespace ff {
 
-/// How the exchange area of two surfaces can be found, from the cheapest on.
+/// How the exchange area of two surfaces can be found, the cheapest method first.
 enum class ExchangeMethod : std::uint8_t {
     none,         ///< they do not face each other: exactly 0
     closed_form,  ///< elementary formulas (core/exact/exact.hpp)
@@ -35,7 +35,7 @@ constexpr std::string_view name(ExchangeMethod method) {
     return exchange_methods.at(static_cast<std::size_t>(method));
 }
 
-/// Why a pair of surfaces is done by its method, in a few words.
+/// Why a pair of surfaces is computed by its method.
 enum class ExchangeReason : std::uint8_t {
     turned_away,    ///< they cannot see each other
     aligned,        ///< rectangles along the axes that nothing can stand between
@@ -46,11 +46,11 @@ enum class ExchangeReason : std::uint8_t {
     curved,         ///< a surface is curved, or something curved may stand in between
     many_blockers,  ///< more obstacles may stand in between than can be cut out of a polygon
     covers,         ///< one of them covers a part of the other
-    leaves,         ///< the surroundings of an open scene receive it
+    leaves,         ///< received by the surroundings of an open scene
     many_surfaces,  ///< the scene has too many surfaces to test what may stand in between
 };
 
-/// They in words, in order.
+/// The reasons in words, in order.
 inline constexpr std::array<std::string_view, 11> exchange_reasons{
     "cannot see each other",
     "aligned rectangles with nothing in between",
@@ -83,7 +83,7 @@ struct PairExchange {
 /// @param wanted upper limit of the error, an exchange area; extended precision is used where needed
 PairExchange pair_exchange(const Occluders& occluders, std::size_t from, std::size_t to, double wanted);
 
-/// The same for two that face each other, of which it is known what stands between them.
+/// The same for two surfaces that face each other, where it is known what stands between them.
 PairExchange pair_exchange(const Surface& from, const Surface& to, const Occluders::Between& between, double wanted);
 
 }  // namespace ff

@@ -11,7 +11,7 @@ namespace ff {
 template <class Real>
 using Corners = std::vector<Vector3<Real>>;
 
-/// Those of a surface. @pre a parallelogram or a triangle
+/// The corners of a surface. @pre a parallelogram or a triangle
 template <class Real>
 Corners<Real> corners_of(const Surface& surface);
 

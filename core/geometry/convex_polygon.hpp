@@ -16,7 +16,7 @@ using ConvexPolygon = std::vector<Eigen::Vector3d>;
 /// The corners of a surface, counter-clockwise as seen from the side that its normal points to; none of a round one.
 ConvexPolygon outline(const Surface& surface);
 
-/// What belongs to the corner after the k-th in order around a polygon.
+/// The element that belongs to the corner after the k-th one, in order around a polygon.
 template <class Around>
 const typename Around::value_type& next_corner(const Around& around, std::size_t k) {
     return around[k + 1 == around.size() ? 0 : k + 1];
@@ -75,10 +75,10 @@ ConvexPolygon clipped(const ConvexPolygon& polygon, const Eigen::Vector3d& norma
 
 double length_around(const ConvexPolygon& polygon);
 
-/// Whether a polygon is what rounding leaves along an edge. @param gap  lines nearer than this are one
+/// Whether a polygon is only a sliver that rounding leaves along an edge. @param gap lines nearer than this are one
 bool is_sliver(const ConvexPolygon& polygon, double gap);
 
-/// The part of a polygon that a convex one has as well, both counter-clockwise around this normal of their plane.
+/// The part that a polygon has in common with a convex one, both counter-clockwise around this normal of their plane.
 ConvexPolygon common_part(ConvexPolygon part, const ConvexPolygon& polygon, const Eigen::Vector3d& normal);
 
 /// What is left of convex pieces without a convex polygon that is counter-clockwise around their normal, in convex

@@ -12,7 +12,7 @@
 
 namespace ff {
 
-/// Numbers places from 0 up, those that are the same but for rounding alike.
+/// Numbers places from 0 up; places that differ only by rounding get the same number.
 class PlaceNumbers {
   public:
     /// @param nearest  places nearer than this are one, > 0
@@ -59,7 +59,7 @@ class PlaceNumbers {
     std::unordered_map<Cell, std::vector<std::pair<Eigen::Vector3d, std::uint32_t>>, CellHash> places_;
 };
 
-/// Nearer places are one, as a share of a scene's largest coordinate.
+/// Places nearer than this share of a scene's largest coordinate are one.
 inline constexpr double resolution_of_places = 0x1p-36;
 
 }  // namespace ff

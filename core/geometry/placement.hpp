@@ -29,8 +29,8 @@ double farthest_coordinate(const Scene& scene);
 /// are: rounding would hardly leave them so.
 double rounding_of_far_coordinates(const Scene& scene, const Placement& placement);
 
-/// The scene in its place, with coordinates that are known to be rounded at least as much as far ones are; placing it
-/// again changes nothing.
+/// The scene in its place; its coordinate_rounding is at least that of its far coordinates. Placing it again changes
+/// nothing.
 Scene placed(const Scene& scene, const Placement& placement);
 Scene placed(const Scene& scene);
 

@@ -33,8 +33,8 @@ struct Plate {
 class Shaft {
   public:
     /// @param from, to  corners: of a polygon in order, of other sets in any order; at most 8 each. They outlive this.
-    /// @param grain     length of the smallest thing that the proof is about: gaps of 1e-15 of it count as none; 0:
-    ///                  the length of the shaft
+    /// @param grain size of the smallest thing that the proof is about: gaps of 1e-15 of it do not count; 0: the length
+    /// of the shaft
     Shaft(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to, double grain = 0);
 
     /// How many of the lines a polygon crosses.
@@ -73,7 +73,7 @@ class Shaft {
         std::size_t count = 0;
     };
 
-    /// What a length may be off by, and a gap may measure; below 0 where it has to be larger than that.
+    /// Allowance for the error of a length, and for a gap; below 0 where a length has to be larger than that.
     struct Slack {
         double noise = 0;
         double gap = 0;

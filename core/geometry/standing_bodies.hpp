@@ -8,7 +8,7 @@
 
 namespace ff {
 
-/// Where bodies stand on surfaces that are not cut out beneath them, as models commonly have it.
+/// Bodies that stand on surfaces which are not cut out beneath them, as is common in models.
 struct StandingBodies {
     /// For each surface, what is left of it beside what stands on it or what it stands on; empty where nothing does. No
     /// polygon where nothing is left.
@@ -18,10 +18,10 @@ struct StandingBodies {
 };
 
 /// Finds the parts that two surfaces cover of each other: the bottom of a body on a surface that faces it in the same
-/// plane, told from the two sides of a thin wall by the body's sides, which rise at the bottom's edges in front of the
-/// surface; and the inside of the rim of a body without a bottom, where everything but the rims is closed and each rim
-/// lies on surfaces that face the body. For polygons whose corners are in common; bodies that it does not understand,
-/// as round ones, stay as they are.
+/// plane, which differs from the two sides of a thin wall in that the body's sides rise at the bottom's edges in front
+/// of the surface; and the inside of the rim of a body without a bottom, where everything but the rims is closed and
+/// each rim lies on surfaces that face the body. For polygons whose corners are in common; bodies that it does not
+/// understand, such as round ones, stay as they are.
 /// @param gap  planes and lines nearer than this are one
 StandingBodies standing_bodies(const Scene& scene, double gap);
 

@@ -21,11 +21,11 @@ struct OutsideWords {
     std::string_view no_seed;  ///< what to do where nothing is random
 };
 
-/// For results of which equal ones always show that seeds are ignored.
+/// For results that, if equal, always show that seeds are ignored.
 inline constexpr auto always_telling = [](const auto& /*result*/) { return true; };
 
-/// Sees to it, once and before its first result, that outside code keeps what trials rest on: two runs with one seed
-/// agree, and other seeds give something else. A generator that all calls share does not repeat.
+/// Checks once, before the first result of outside code, what trials rest on: two runs with the same seed agree, and
+/// other seeds give other results. A generator that all calls share does not repeat.
 class Repeatable {
   public:
     Repeatable(bool randomised, OutsideWords words) : randomised_(randomised), words_(words) {}

@@ -10,7 +10,8 @@
 
 namespace ff {
 
-/// How much nearer to the middle of its surface a ray's second attempt starts, and how much larger rims are then.
+/// How much nearer to the middle of its surface the second attempt of a ray starts, and how much rims are enlarged for
+/// it.
 inline constexpr double second_attempt = 0x1p-20;
 
 /// Whether a ray begins on its source, and cannot meet it there. In a second attempt it starts inside of a hollow one.

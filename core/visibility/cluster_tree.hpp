@@ -13,8 +13,8 @@
 
 namespace ff {
 
-/// The surfaces of a scene, halved by place again and again. The upper clusters consist of whole walls, which are level
-/// surfaces joined whatever face they belong to; below each wall follow clusters of what it is made of.
+/// The surfaces of a scene, halved repeatedly by place. The upper clusters consist of whole walls: level surfaces
+/// joined whatever face they belong to. Below each wall are clusters of the surfaces that it is made of.
 class ClusterTree {
   public:
     static constexpr std::uint32_t no_wall = std::numeric_limits<std::uint32_t>::max();
@@ -46,7 +46,7 @@ class ClusterTree {
 
     [[nodiscard]] const Cluster& operator[](std::uint32_t cluster) const { return clusters_[cluster]; }
     [[nodiscard]] bool empty() const { return clusters_.empty(); }
-    /// Surfaces, those of a cluster together.
+    /// All surfaces, those of each cluster together.
     [[nodiscard]] std::uint32_t surface(std::uint32_t place) const { return order_[place]; }
     /// The cluster that consists of a surface alone.
     [[nodiscard]] std::uint32_t leaf_of(std::uint32_t surface) const { return leaf_of_[surface]; }

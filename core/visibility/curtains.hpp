@@ -14,12 +14,12 @@
 
 namespace ff {
 
-/// Walls that meet along edges and together hide everything between two ends, as a body does of which no single side
-/// does. Lines cross a curtain the same number of times, counted by direction, if none passes its rim: then one line
-/// decides for all.
+/// Walls that meet along edges and together hide everything between two ends, as a body can although none of its sides
+/// does so alone. Lines cross a curtain the same number of times, counted by direction, if none passes its rim: then
+/// one line decides for all.
 class Curtains {
   public:
-    /// @param plates  of the walls whose edges are given; empty for round ones. Both outlive this.
+    /// @param plates of the walls whose edges are given; empty for round ones. Both must outlive this.
     Curtains(const SharedEdges& edges, const std::vector<std::optional<Plate>>& plates);
 
     /// A convex set that lines begin or end in, by its corners; its normal is 0 unless all lines leave or reach it on

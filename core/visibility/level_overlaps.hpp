@@ -7,8 +7,8 @@
 
 namespace ff {
 
-/// Planes nearer than this may be the same but for rounding: of the coordinates as they were read, of computing with
-/// them, and the room that proofs about occlusion have (core/visibility/facing.hpp). So a surface in front of
+/// Planes nearer than this may differ only by rounding: that of the coordinates as they were read, that of computing
+/// with them, and the tolerance of proofs about occlusion (core/visibility/facing.hpp). So a surface in front of
 /// another either hides it or is level with it.
 double level_gap(const Scene& scene);
 
@@ -21,9 +21,9 @@ struct LevelOverlap {
     bool level = true;       ///< within level_gap: coordinates do not tell which of them hides the other
 };
 
-/// All overlaps of a scene that cover at least a millionth of the smaller surface, and more than rounding does along
-/// its rim; for discs, those that show on a lattice of 1024 places. Those that are not level lie apart by a millionth
-/// of the smaller surface's size at most. Takes n log n steps for n surfaces with few neighbours each.
+/// All overlaps of a scene that cover at least a millionth of the smaller surface, and more than rounding can cover
+/// along its rim; for discs, those that are found by a lattice of 1024 places. Those that are not level lie apart by a
+/// millionth of the smaller surface's size at most. Takes n log n steps for n surfaces with few neighbours each.
 std::vector<LevelOverlap> level_overlaps(const Scene& scene);
 
 /// The area of the first that the second covers, seen along the first's normal; for discs on a lattice of places.

@@ -32,7 +32,7 @@ class Occluders {
         std::vector<Blocker> occluders;
     };
 
-    /// Two clusters of surfaces, and the clusters of which something may stand between them.
+    /// Two clusters of surfaces, and the clusters that contain what may stand between them.
     struct Visit {
         std::uint32_t from = 0;
         std::uint32_t to = 0;
@@ -40,16 +40,16 @@ class Occluders {
         double pairs = 0;  ///< number of pairs of surfaces
     };
 
-    /// Visits that together meet each unordered pair of surfaces once, each surface with itself among them, but for
-    /// pairs of which all is hidden.
+    /// Visits that together cover each unordered pair of surfaces once, including each surface with itself, except
+    /// pairs that are wholly hidden from each other.
     /// @param most_pairs  in a visit
     [[nodiscard]] std::vector<Visit> visits(double most_pairs) const;
 
     /// Receives two surfaces by their indices, the smaller index first.
     using See = std::function<void(std::uint32_t from, std::uint32_t to, const Between& between)>;
 
-    /// Calls that for all pairs of surfaces of a visit that belong to faces and that face each other, unless all is
-    /// hidden.
+    /// Calls `see` for all pairs of surfaces of a visit that belong to faces and face each other, unless everything
+    /// between them is hidden.
     void see(const Visit& visit, const See& see) const;
 
     [[nodiscard]] Between between(std::size_t from, std::size_t to) const;

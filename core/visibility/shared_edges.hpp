@@ -20,7 +20,7 @@ class SharedEdges {
     /// The outline of a surface; empty for round ones. Its k-th edge begins in the k-th corner.
     [[nodiscard]] const ConvexPolygon& outline(std::size_t surface) const { return outlines_[surface]; }
     [[nodiscard]] std::size_t size() const { return outlines_.size(); }
-    /// What corners may be off by.
+    /// Possible error of corners.
     [[nodiscard]] double corner_room() const { return corner_room_; }
     /// The surface beyond an edge; `none` where there is none or more than one.
     [[nodiscard]] std::uint32_t beyond(std::size_t surface, std::size_t edge) const {

@@ -6,8 +6,8 @@
 
 namespace ff::python {
 
-/// The interpreter's lock, held from any thread. What the interpreter keeps of a thread of ours stays until the thread
-/// ends: to make it anew takes longer than to call a function.
+/// The interpreter's lock, held from any thread. What the interpreter keeps about one of our threads stays until that
+/// thread ends: making it anew takes longer than calling a function.
 class PythonLock {
     struct Known {
         pybind11::gil_scoped_acquire made;
@@ -24,8 +24,8 @@ class PythonLock {
     pybind11::gil_scoped_acquire held_;
 };
 
-/// The contrary: the lock given back, where this thread holds it. What waits for another thread waits so, since that
-/// one may want the lock.
+/// The opposite: releases the lock, where this thread holds it. To be used while waiting for another thread, which may
+/// need the lock.
 class WithoutPythonLock {
   public:
     WithoutPythonLock() {

@@ -13,7 +13,7 @@ const Scene& scene_of(const studies::RunComparison& comparison, const studies::C
 /// The name that the method has in both runs, or that of either.
 std::string method_names(const studies::RunComparison& comparison, const studies::CellComparison& compared);
 
-/// "cube: Sobol' rays", without the scene where there is one only.
+/// "cube: Sobol' rays", without the scene where there is only one.
 std::string scene_and_method(const studies::RunComparison& comparison, const studies::CellComparison& compared);
 
 /// "1.10 [1.02, 1.18]". @pre there is an interval

@@ -20,10 +20,11 @@ Json solver_json(const studies::radiosity::SolverStatistics& found);
 /// Samples per patch; null for none.
 Json samples_json(const studies::Cell& cell);
 
-/// The record after what tells a cell: study, scene, method, patches_per_face, samples_per_patch, level.
+/// The record, preceded by the keys that identify a cell: study, scene, method, patches_per_face, samples_per_patch,
+/// level.
 Json in_cell(const studies::StudyPlan& plan, std::size_t cell, const Json& record);
 
-/// Whether measured times, which differ from run to run, are shown, or what does not.
+/// Whether values that rest on measured times, which differ from run to run, are shown, or the others.
 enum class Timed { no, yes };
 
 /// What results.json has at these keys; null where the study has none.
@@ -31,7 +32,7 @@ Json until_json(const studies::StudyResults& results);
 Json heavy_tails_json(const studies::StudyResults& results);
 Json coverage_json(const studies::StudyResults& results);
 Json reductions_json(const studies::StudyResults& results);
-/// Those at equal processor time, or those at equal evaluations and at equal error.
+/// Contests at equal processor time, or those at equal evaluations and at equal error.
 Json contests_json(const studies::StudyResults& results, Timed timed);
 Json claimed_errors_json(const studies::StudyResults& results);
 Json slopes_json(const studies::StudyResults& results);

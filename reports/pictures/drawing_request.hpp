@@ -20,7 +20,7 @@ struct FigureStyle {
 /// Every picture of a report, each once.
 std::vector<Picture> all_pictures(const studies::StudyResults& results, const MethodChoice& methods = {});
 
-/// What draw_svg.mjs reads to draw these pictures: JSON of `kinds` (specifications by name), `pictures` (`id`, `kind`,
+/// The input of draw_svg.mjs for these pictures: JSON of `kinds` (specifications by name), `pictures` (`id`, `kind`,
 /// `values`) and, of figures, `style`.
 std::string drawing_request(const std::vector<Picture>& pictures, const Templates& templates,
                             const std::optional<FigureStyle>& style = std::nullopt);

@@ -38,8 +38,8 @@ class LineLabels {
     std::vector<Label> labels_;
 };
 
-/// The lines of methods: colours and symbols, names to show one alone by, labels of those in colour. The names of those
-/// in grey stand on the buttons below a picture.
+/// The lines of methods: colours and symbols, names by which one can be shown alone, and labels of those in colour. The
+/// names of those in grey are on the buttons below a picture.
 class MethodLines {
   public:
     MethodLines(std::vector<MethodStyle> styles, HeightAxis axis) : styles_(std::move(styles)), labels_(axis) {}

@@ -32,7 +32,7 @@ class RankingRows {
     static constexpr std::size_t most_blocks = 4;
     const studies::StudyPlan& plan_;
     const MethodChoice& chosen_;
-    bool begun_ = false;  ///< whether the heading of this block stands
+    bool begun_ = false;  ///< whether the heading of this block is written
     PictureValues values_{{"row", "method", "size", "value", "low", "high", "end", "expected", "group"}};
     std::string block_;
     Json order_ = Json::array();

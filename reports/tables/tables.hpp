@@ -43,7 +43,7 @@ Table contests_table(const studies::StudyResults& results, bool timed);
 /// For studies with several scenes: the best method on each kind of pairs, and in how many scenes.
 Table decisions_table(const studies::StudyResults& results, bool timed);
 
-/// Which claims are shown: those stated by methods or studies, or also the errors that one run would suggest.
+/// Which claims are shown: only those stated by methods or studies, or also the errors that a single run would suggest.
 enum class Claims { stated, all };
 
 /// How often claimed errors hold.

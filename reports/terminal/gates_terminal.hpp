@@ -11,7 +11,7 @@
 
 namespace ff::reports {
 
-/// What is checked, and at which risks.
+/// What is checked, and with which risks.
 std::string gates_heading(const studies::gates::Spec& spec);
 
 /// One line: verdict, gate, and the deciding comparison; another one with a picture where there are many bins.

@@ -18,10 +18,10 @@ std::string heat_verdict(const HeatReport& report);
 /// The power that goes to the surroundings, or the sum of powers in a closed scene.
 std::string heat_balance(const HeatReport& report);
 
-/// How many samples went where flows depend on them; empty where they did not.
+/// How many samples were taken where flows depend on them; empty where sampling did not depend on flows.
 std::string heat_effort(const HeatReport& report);
 
-/// For the terminal: a row per face, the balance, how sure it is.
+/// For the terminal: a row per face, the balance, and its certainty.
 std::string heat_text(const HeatReport& report, const TextStyle& style = {});
 
 }  // namespace ff::reports

@@ -23,13 +23,13 @@ std::string size_label(const studies::StudyPlan& plan, const studies::Cell& cell
 /// Method and size; the scene too where the study has several.
 std::string cell_label(const studies::StudyPlan& plan, const studies::Cell& cell);
 
-/// "NAME: " before what is of one scene; empty where the study has no other.
+/// "NAME: " as a prefix for results of one scene; empty where the study has no other.
 std::string scene_prefix(const studies::StudyPlan& plan, std::size_t scene);
 
 /// The method; the scene too where the study has several.
 std::string method_label(const studies::StudyPlan& plan, const studies::Cell& cell);
 
-/// " of NAME" after what is of one scene; empty where the study has no other.
+/// " of NAME" as a suffix for results of one scene; empty where the study has no other.
 std::string of_scene(const studies::StudyPlan& plan, std::size_t scene);
 
 /// "a, b and c"; with more than `most` names, the first ones and the number of others. Names with commas are quoted.
@@ -45,7 +45,7 @@ std::string on_pairs(const studies::StudyPlan& plan, std::size_t scene, std::str
 std::string heading_of(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class);
 
 /// The program that completed a study: version and revision. Empty before that. What differs between runs of one
-/// program (host, date, seconds) stands in context.json alone.
+/// program (host, date, seconds) is in context.json only.
 std::string program_label(const studies::Context& context);
 
 }  // namespace ff::reports

@@ -37,7 +37,7 @@ std::string p_text(double p);
 /// A time: "12.3 s", "2.5 min" from 100 seconds on.
 std::string seconds_in_words(double seconds);
 
-/// Thousands apart, so that counts of samples can be read: "1 234 567".
+/// With spaces between thousands, so that counts of samples can be read: "1 234 567".
 std::string thousands_apart(std::uint64_t number);
 
 /// "1 face", "2 faces"

@@ -19,9 +19,8 @@ struct Headline {
     std::string question;  ///< empty where the title asks it
     std::string verdict;   ///< the answer
     std::vector<KeyNumber> numbers;
-    std::vector<std::string>
-        published;         ///< the contradictions in a publication's figures, a sentence each, worst first
-    std::string unlikely;  ///< figures of the publication that a run as described does not give
+    std::vector<std::string> published;  ///< contradictions in a publication's figures, a sentence each, worst first
+    std::string unlikely;                ///< figures of the publication that a run as described does not give
 };
 
 Headline headline(const studies::StudyResults& results);

@@ -10,8 +10,8 @@ namespace ff::reports {
 /// A line for each method and size whose trials seem to have infinite variance.
 std::vector<std::string> heavy_tails_in_brief(const studies::StudyResults& results);
 
-/// The rule in a sentence, then one for all cells that reached it and one for each that did not; empty where the study
-/// is not adaptive or not complete.
+/// The stopping rule in a sentence, then one sentence for all cells that reached it and one for each that did not;
+/// empty where the study is not adaptive or not complete.
 std::vector<std::string> until_in_brief(const studies::StudyResults& results);
 
 /// A line about the apparent errors of single runs if dependent rays are treated as independent; empty where all are

@@ -31,7 +31,8 @@ bool is_surprising(const studies::FigureComparison& comparison, double alpha);
 /// The figures that the audit blames for a contradiction.
 std::set<std::size_t> blamed_figures(const studies::audit::Report& audit);
 
-/// How many of its claims hold: "The publication's claim is supported." With several, how many of each verdict.
+/// How many of the publication's claims hold: "The publication's claim is supported." With several claims, the number
+/// with each verdict.
 std::string claims_sentence(const studies::PublishedResults& published);
 
 /// A publication in a few sentences: figures outside what a run can give, claims by verdict.

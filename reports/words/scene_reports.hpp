@@ -19,7 +19,7 @@ struct HeatReport {
     const studies::heat::Materials& materials;
     const studies::heat::Flows& flows;
     const studies::heat::SampledFlows* sampled =
-        nullptr;  ///< how they were, if samples went where flows depend on them
+        nullptr;  ///< how they were sampled, if samples were taken where flows depend on them
 };
 
 /// A matrix of form factors with its scene. docs/form-factors.md describes what is written of it.

@@ -40,7 +40,7 @@ class Isocell {
         const std::uint64_t offset = philox(stream, 0, Purpose::scramble)[0] * points_ >> 32;
         for (std::size_t i = 0; i < block.size; ++i) {
             const std::uint64_t cell = (first + i + offset) % points_;
-            if (cell >= 3 * rings_ * rings_) continue;  // of no ring: random
+            if (cell >= 3 * rings_ * rings_) continue;  // in no ring: random
             const std::uint64_t ring = ring_of(cell);
             const std::uint64_t cells = 3 * (2 * ring + 1);
             squared_sine[i] = share(ring * ring, static_cast<double>(2 * ring + 1) * squared_sine[i], rings_ * rings_);
@@ -49,7 +49,7 @@ class Isocell {
     }
 
   private:
-    /// The least ring, from 0, whose cells and those of all before are more than `cell`.
+    /// The first ring, from 0, up to which there are more cells than `cell`.
     static std::uint64_t ring_of(std::uint64_t cell) {
         auto ring = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(cell) / 3));
         while (3 * (ring + 1) * (ring + 1) <= cell) ++ring;

@@ -39,7 +39,7 @@ class AddedSampler {
     /// @throws UserError where only the description is known
     [[nodiscard]] std::unique_ptr<PointSource> make(const PointSetSpec& spec) const;
 
-    /// From now on makes points as `other` does, unless it has made some already.
+    /// From now on this makes points as `other` does, unless it has made some already.
     void learn_from(AddedSampler& other);
 
   private:
@@ -51,7 +51,7 @@ class AddedSampler {
     CatalogueEntry entry_;
 };
 
-/// What to do about a short name that another sampler already has.
+/// What to do with a short name that another sampler already has.
 enum class ShortName {
     stays,  ///< the new sampler is refused
     moves,  ///< the name passes to the new sampler

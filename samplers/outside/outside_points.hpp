@@ -30,7 +30,7 @@ void expect_whole(const std::string& origin, const SetRequest& request);
 /// Fills `block.size` points of a set from `first` on. Called from several threads.
 using FillPart = std::function<void(const SetRequest&, PointIndex first, PointBlock& block)>;
 
-/// Makes a set whole: of `request.points` points or more, of as many coordinates or more. Called from several threads,
+/// Makes a complete set with at least the requested numbers of points and coordinates. Called from several threads,
 /// with a set made before, or an empty one, whose memory can be used again.
 using MakeSet = std::function<void(const SetRequest&, PointSet& set)>;
 

@@ -7,8 +7,8 @@
 
 namespace ff::samplers {
 
-/// A coordinate is known to a cell of width 2^-32. Which end of it decides on the part that the point is in, where the
-/// cell lies in two.
+/// A coordinate is known only up to a cell of width 2^-32. Where a cell lies in two parts, one of its ends decides
+/// which part the point is in.
 enum class Edge { upper, lower };
 
 /// Which of so many equal parts of [0, 1) a coordinate is in. With `upper`, a point made on a boundary, such as i / 3,
@@ -19,14 +19,14 @@ constexpr std::uint64_t part_of(std::uint32_t x, std::uint64_t parts, Edge edge 
 
 /// One way to sort the points of a set into parts.
 struct Sorting {
-    PointSet set;  ///< one alone, less the points whose part is open
+    PointSet set;  ///< a single set, without the points whose part is undecided
     Edge edge = Edge::upper;
 };
 
-/// The ways to sort a set into parts, or into fewer of which each is some of them: a set has a structure where it has
-/// it in one of these. The first counts all points at the upper end of their cells. The second, where a cell lies in
-/// two parts, leaves out the points of such cells, if these are as few as chance makes them; points that are many there
-/// are so by a rule, and are all counted at the lower end. @pre which < set.sets, parts <= 2^32
+/// The ways to sort a set into parts, or into fewer parts that each consist of some of these: a set has a structure
+/// where it has it in one of these ways. The first counts all points at the upper end of their cells. The second, where
+/// a cell lies in two parts, leaves out the points of such cells, if they are as few as chance would have it; if they
+/// are many, they lie there by a rule, and all are counted at the lower end. @pre which < set.sets, parts <= 2^32
 std::vector<Sorting> sortings(const PointSet& set, std::uint64_t which, std::uint64_t parts);
 
 }  // namespace ff::samplers

@@ -9,7 +9,7 @@
 
 namespace ff::samplers {
 
-/// Makes of numbers in [0, 1), coordinate by coordinate of each point, one set. @pre rows.size() == points * dimension
+/// Makes one set of numbers in [0, 1), coordinate by coordinate of each point. @pre rows.size() == points * dimension
 /// @param set  what it holds is replaced
 /// @throws UserError with `origin`, point and coordinate
 void set_of_rows(std::span<const double> rows, std::uint64_t points, std::size_t dimension, const std::string& origin,

@@ -33,8 +33,7 @@ struct Slope {
     std::optional<ExpectedRate> expected;
     double slowest_expected = 0;  ///< ExpectedRate::slowest at the middle of the ladder
     std::optional<double> p;      ///< p-value of the slope being as expected
-    bool few_trials =
-        false;  ///< trials are few at some size, or repeat each other: there is neither an interval nor a p
+    bool few_trials = false;      ///< few at some size, or they repeat each other: there is neither an interval nor a p
 };
 
 /// The comparison of theory and trials for a class of pairs.

@@ -14,8 +14,8 @@ namespace ff::studies {
 struct PairError {
     std::size_t cell = 0;  ///< the method's size closest to the common number of evaluations
     ClassError error;      ///< error on this pair alone
-    std::optional<Slope>
-        slope;  ///< slope along the method's ladder: of the RMSE, or of the median where there is no variance
+    /// Slope along the method's ladder: of the RMSE, or of the median where there is no variance.
+    std::optional<Slope> slope;
     [[nodiscard]] double size() const {
         return error.status == VarianceStatus::infinite ? error.median_abs_error : error.rmse;
     }

@@ -29,8 +29,8 @@ struct RmseRatio {
     double second = 0;
     std::optional<double> ratio;              ///< second / first; empty where one is rounding
     std::vector<stats::Measured> logarithms;  ///< ln(RMSE) of both; empty unless the runs are independent and vary
-    std::optional<stats::Interval>
-        interval;           ///< interval of the ratio, where it is finite; all intervals of a comparison hold together
+    /// Interval of the ratio, where it is finite; all intervals of a comparison hold together.
+    std::optional<stats::Interval> interval;
     double adjusted_p = 1;  ///< p-value of equal errors, Holm over all tests of the comparison
 };
 
@@ -87,8 +87,7 @@ struct Lead {
 /// A scene of one name that is not the same in both runs: its file was changed, say.
 struct ChangedScene {
     std::string name;
-    std::string
-        difference;  ///< how the faces differ, in words; empty where they are the same, so that factors are compared
+    std::string difference;  ///< how the faces differ, in words; empty where they are the same: factors are compared
 };
 
 /// Two runs side by side.

@@ -15,8 +15,8 @@ struct SamplingOutcome {
     std::uint64_t samples = 0;
     std::uint64_t rays = 0;
     std::uint64_t lost = 0;
-    std::vector<std::pair<std::uint64_t, std::uint64_t>>
-        lost_of_rows;  ///< for each face: rays that met nothing, and all rays
+    /// For each face: rays that met nothing, and all rays.
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> lost_of_rows;
     bool interrupted = false;
     std::size_t left_out = 0;  ///< rows to sample that are neither of this shard nor were received
 };

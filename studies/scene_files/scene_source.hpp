@@ -14,8 +14,8 @@ struct SceneSource {
     std::string name;                  ///< "cube", "box:1x2x3" or the name of a file
     std::string zone;                  ///< zone or space of an EnergyPlus file; empty: the only one
     std::vector<std::string> mirrors;  ///< faces that are mirrors
-    std::optional<std::string>
-        text;  ///< text of the file, a mesh converted to OBJ; empty for built-in scenes and until it is read
+    /// Text of the file, a mesh converted to OBJ; empty for built-in scenes and until it is read.
+    std::optional<std::string> text;
 
     /// Whether the name is that of a file: it ends with .toml, .obj, .vs3, .idf, .epJSON or an ending of
     /// meshes.

@@ -40,17 +40,17 @@ struct FormFactorsCommand {
     bool quiet = false;
 };
 
-/// What a scene file does not say itself.
+/// Settings that a scene file does not contain itself.
 void add_options_of_scenes(CommandDefinition& sub, FormFactorsCommand& command);
 
-/// Where the places of an OBJ file or a mesh are. Heat has a scale of its own, for every scene.
+/// Scale and orientation of an OBJ file or a mesh. Heat has a scale of its own, for every scene.
 void add_options_of_places(CommandDefinition& sub, FormFactorsCommand& command);
 
-/// All options so far but --load and these others exclude --load: a loaded matrix has settled them.
+/// All options so far, except --load and these others, exclude --load: a loaded matrix has settled them.
 void settle_by_load(CommandDefinition& sub, std::initializer_list<std::string_view> others);
 
-/// What the command line says of how an OBJ file or a mesh is read: options without their dashes, which are comments
-/// that the file could have as well.
+/// How an OBJ file or a mesh is to be read, according to the command line: options without their dashes. The file could
+/// contain the same texts as comments.
 std::vector<std::string> said_of_mesh(const FormFactorsCommand& command);
 
 /// The scene that a command names, with its text. @throws UserError where it names none, or an option does not fit it

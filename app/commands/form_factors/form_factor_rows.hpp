@@ -14,7 +14,7 @@
 
 namespace ff::app {
 
-/// File with the rows that a matrix in the making has; gone when the matrix is whole.
+/// File with the rows of an unfinished matrix; removed when the matrix is complete.
 inline constexpr const char* rows_file = "rows.sqlite";
 
 /// The file of rows that a folder holds, or the path itself where it is one.
@@ -27,15 +27,15 @@ studies::Shard rows_to_sample(const FormFactorsCommand& command, const Processes
 /// those of other processes.
 class RowsInFolder {
   public:
-    /// Sets what the request does with rows. All are kept by reference. @param out  null: rows are not kept
+    /// Sets what the request does with rows. All arguments are kept by reference. @param out null: rows are not kept
     /// @throws UserError where the folder holds rows of another matrix; IoError
     RowsInFolder(OutputFolder* out, studies::form_factors::KeptMatrix& kept, const Processes& processes);
 
-    /// Takes in the rows of another file.
+    /// Adds the rows of another file.
     void take(const std::filesystem::path& file);
     /// Rows that are kept.
     [[nodiscard]] std::size_t count() const { return rows_ ? rows_->faces().size() : 0; }
-    /// When the matrix is whole.
+    /// To be called when the matrix is complete.
     void remove();
 
   private:
@@ -49,7 +49,7 @@ class RowsInFolder {
     void keep(const studies::form_factors::SampledRow& row);
 };
 
-/// The part of a process beside the first one: samples its rows and sends them.
+/// The work of a process other than the first one: samples its rows and sends them.
 ExitCode assist_form_factors(const Processes& processes, const FormFactorsCommand& command,
                              studies::form_factors::KeptMatrix& kept);
 

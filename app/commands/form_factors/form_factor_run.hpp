@@ -24,13 +24,13 @@ ExitCode predict_form_factors(const studies::form_factors::KeptMatrix& kept);
 /// The request and the scene of a command, read and validated. @throws UserError, IoError
 studies::form_factors::KeptMatrix prepare_form_factors(const FormFactorsCommand& command);
 
-/// The matrix that --load names, with faults of its scene. @throws UserError, IoError
+/// The matrix that --load names, with the faults of its scene. @throws UserError, IoError
 studies::form_factors::KeptMatrix load_kept_form_factors(const FormFactorsCommand& command);
 
 /// @throws UserError where pairs were dropped: `what` needs them all
 void expect_nothing_dropped(const studies::form_factors::KeptMatrix& kept, std::string_view what);
 
-/// How a matrix is found: studies::form_factors::find_matrix, or what calls it.
+/// Finds a matrix: studies::form_factors::find_matrix, or a function that calls it.
 using FindFormFactors =
     std::function<studies::form_factors::Matrix(const Scene&, const studies::form_factors::Request&)>;
 

@@ -22,7 +22,7 @@ using Tell = std::function<void(studies::gates::GateResult result, double second
 /// Runs gates, one after the other.
 using RunGates = std::function<void(const Tell&)>;
 
-/// Validates the gates that have to be run, before any is.
+/// Validates the gates that have to be run, before any of them is run.
 using PrepareGates = std::function<RunGates(const studies::gates::Spec&)>;
 
 /// One `ffstudy check`: gates on files are judged, others are run.

@@ -46,7 +46,7 @@ struct PatchPair {
 /// Which pairs of surfaces are sampled.
 enum class PairsOf {
     all,       ///< all that face each other
-    occluded,  ///< those that something may stand between; the others count as 0
+    occluded,  ///< pairs that something may stand between; the others count as 0
 };
 
 /// The form factor between two patches, and what is claimed of its error.

@@ -12,7 +12,7 @@ enum class Heuristic {
 
 inline constexpr double nanoseconds_of_two_ways = 100;
 
-/// Rays jump where the target ends; where faces touch no theory holds.
+/// The value of a ray jumps where the target ends; where faces touch, no theory holds.
 inline constexpr Integrands integrands_of_two_ways{.apart = Integrand::jumping, .adjacent = Integrand::rough};
 
 /// What the estimators of both heuristics have in common.

@@ -32,7 +32,7 @@ class PixelDirections {
     std::vector<double> factor_;
 };
 
-/// Common to all projections: rays through the pixels from the middle of every patch.
+/// The base of all projections: rays through the pixels from the middle of every patch.
 class PixelProjection {
   public:
     PixelProjection(const Scene& scene, TracerChoice tracer);
@@ -53,7 +53,7 @@ class PixelProjection {
     std::unique_ptr<const Tracer> tracer_;
 };
 
-/// What all projections declare, beside what is their own.
+/// Declarations that all projections share, besides their own ones.
 constexpr EstimatorInfo projection(EstimatorInfo info) {
     info.own_points = true;
     info.has_tracer = true;
@@ -68,7 +68,7 @@ constexpr EstimatorInfo projection(EstimatorInfo info) {
 /// @param count  pixels of a resolution below 2^30: 0 at 0, increasing
 std::uint64_t finest_resolution(std::uint64_t (*count)(std::uint64_t), std::uint64_t samples);
 
-/// An estimator by a projection, which says what is its own:
+/// An estimator by a projection, which defines what is specific to it:
 ///
 ///     static constexpr EstimatorInfo info = projection({...});
 ///     static constexpr std::string_view sizes = "a hemicube has 3 r^2 pixels, r even";

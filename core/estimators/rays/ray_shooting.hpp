@@ -10,7 +10,7 @@ namespace ff {
 
 /// One trial of ray shooting (the paper's SR): `samples_per_patch` cosine-distributed rays from every patch. `tally` is
 /// replaced by this trial's outcome, `sums` (empty, or from earlier trials of the same size) added to; null where there
-/// are too many patches to keep apart.
+/// are too many patches to keep them separate.
 /// @pre points.equal_weights()   `key` and `trial` select the streams
 void ray_shooting(const Scene& scene, Subdivision subdivision, const Tracer& tracer, const PointSource& points,
                   std::uint64_t samples_per_patch, Allocation allocation, StreamKey key, std::uint32_t trial,

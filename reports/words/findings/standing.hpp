@@ -34,8 +34,9 @@ struct Ranking {
     std::vector<RankedMethod> methods = {};
     std::size_t scene = 0;
     PairClass pair_class = PairClass::other;
-    std::string said = {};  ///< a clause that wants the pairs before it: " SR has the smallest error"
-    std::optional<std::size_t> random_cell = {};  ///< whose variance others are set against; of variances only
+    std::string said = {};  ///< a clause that follows the name of the pairs: " SR has the smallest error"
+    std::optional<std::size_t> random_cell =
+        {};  ///< cell whose variance the others are compared with; for variances only
 };
 
 /// "On parallel pairs SR has the smallest error."
@@ -62,8 +63,8 @@ std::string letters_in_words(double level, std::string_view of);
 std::string smallest_errors(const studies::Analysis& findings, std::span<const std::size_t> cells,
                             PairClass pair_class);
 
-/// Which of these methods and sizes have the smallest errors for their evaluations, and what factor all of them span;
-/// "" where fewer than two have a variance.
+/// Which of these methods and sizes have the smallest errors for their evaluations, and by what factor all of them
+/// differ; "" where fewer than two have a variance.
 std::string largest_efficiencies(const studies::Analysis& findings, std::span<const std::size_t> cells,
                                  PairClass pair_class);
 

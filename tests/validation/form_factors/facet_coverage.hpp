@@ -16,8 +16,7 @@ namespace ff::studies::form_factors {
 struct FacetCoverageOptions {
     Seed seed{1};  ///< the first seed
     std::uint64_t seeds = 100;
-    std::size_t pairs =
-        1600;  ///< pairs drawn for each method in each scene, at each tolerance; fewer where there are fewer
+    std::size_t pairs = 1600;  ///< drawn for each method in each scene, at each tolerance; all where there are fewer
     unsigned threads = 1;
     double shrink = 1;  ///< factor on the width of every sampled interval; below 1: a control to be caught
     double shift = 0;   ///< shift of every sampled interval, in half widths: another control

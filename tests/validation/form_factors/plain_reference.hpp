@@ -19,8 +19,7 @@ struct PlainReference {
 struct ReferenceEffort {
     double accuracy = 1e-6;  ///< half width to reach, as a factor from the smaller face
     std::uint32_t randomisations = 8;
-    std::uint64_t most_points =
-        4096;  ///< largest number of points of a randomisation, a power of two: they are doubled up to this number
+    std::uint64_t most_points = 4096;  ///< of a randomisation, a power of two: points are doubled up to this number
     double level = 0.95;
 };
 
