@@ -81,8 +81,8 @@ std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, dou
 std::optional<ConvergenceRate> fit_rmse_rate(std::span<const Rung> ladder, double level, const ResamplingPlan& plan);
 std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, double level, const ResamplingPlan& plan);
 
-/// The rate of the RMSE as what it is made of: half the logarithms of the mean squares, by the weights of the line. Its
-/// reaches allow for skewed squares, and for what all evaluations of a size may have missed.
+/// The rate of the RMSE as a sum of its parts: half the logarithms of the mean squares, with the weights of the line.
+/// Its reaches allow for skewed squares, and for what all evaluations of a size may have missed.
 /// @param unmet  of the mean square of each size
 /// Empty below two sizes, and where a size has too few replicates or no error.
 std::optional<Measured> measured_rmse_rate(std::span<const Rung> ladder, std::span<const Unmet> unmet);

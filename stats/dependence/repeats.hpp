@@ -22,8 +22,8 @@ struct Repeats {
 /// coincide now and then; of two models of chance, the better explanation decides: a normal distribution on the
 /// lattice, whose spacing is the greatest common divisor of the gaps, and the neighbours, since where values crowd, the
 /// sites beside them fill too. Where the sites are few enough to be filled, repeats tell nothing. Values without a
-/// lattice never coincide by chance. Empty without a repeat, and where repeats tell nothing. Of two to four different
-/// real values all repeats count.
+/// lattice never coincide by chance. Empty without a repeat, and where repeats tell nothing. If there are only two to
+/// four different real values, all repeats count.
 ///
 /// Printed shares of few trials, and sums of several, take few values, which need not be neighbours; and an estimator
 /// may give one value often, where nothing happens. So p can be small among honest ones: only where `certain` can one

@@ -1,7 +1,7 @@
 #pragma once
 
-// Gates on means and spreads of Monte Carlo trials, for unit tests: headers only, C++17, the standard library alone.
-// Installed as <ffstudy/gate.hpp>; gate_macros.hpp makes them assertions. docs/gates-in-practice.md shows how.
+// Gates on means and spreads of Monte Carlo trials, for unit tests: headers only, C++17, nothing but the standard
+// library. Installed as <ffstudy/gate.hpp>; gate_macros.hpp makes them assertions. docs/gates-in-practice.md shows how.
 //
 // The rule is that of `ffstudy check` (docs/gates.md), which calls gate_verdict.hpp and skewed_reach.hpp here
 // too. Since this header stands alone, its quantiles are good to ten digits only, a mean beside an uncertain reference
@@ -112,7 +112,7 @@ inline Result undecided(double n, const char* why) {
     return result;
 }
 
-/// What is wrong with these options; empty where nothing is.
+/// What is wrong with these options; empty where they are valid.
 inline const char* fault_of(const Options& o) {
     if (!(o.band > 0)) return "band (no number of trials shows an effect of exactly nothing; give a positive one)";
     if (!(o.alpha > 0 && o.alpha < 0.5)) return "alpha (give one above 0 and below 0.5)";

@@ -14,7 +14,7 @@ double l2_star_discrepancy(const Coordinates& points);
 /// Centred L2 discrepancy, invariant under reflection of coordinates, in O(n^2 d) [hickernell1998].
 double centred_discrepancy(const Coordinates& points);
 
-/// The longest interval of an axis without a coordinate of a point, including the one that wraps around at 1.
+/// The longest interval of an axis that contains no coordinate of a point, including the one that wraps around at 1.
 double largest_gap(std::span<const double> coordinates);
 
 }  // namespace ff::stats

@@ -30,16 +30,16 @@ struct Unmet {
     double largest = 0;      ///< value at such places; 0 where there are none
     double evaluations = 1;  ///< n
 
-    /// What a tail leaves to the values that were met where something may not have been: 9/10, since the reach of the
-    /// unmet hardly depends on its share.
+    /// The share of a tail that goes to the values that were met, where something may have been missed: 9/10, since the
+    /// reach of what was missed hardly depends on its share.
     [[nodiscard]] double tail_of_met(double tail) const { return largest > 0 ? 0.9 * tail : tail; }
     [[nodiscard]] double tail_of_unmet(double tail) const { return 0.1 * tail; }
 
-    /// How far the mean may be off for it, except with probability `tail`: largest * p, with (1 - p)^n = tail.
+    /// How far the mean may be off because of it, except with probability `tail`: largest * p, with (1 - p)^n = tail.
     [[nodiscard]] double reach(double tail) const;
 };
 
-/// What is known of values from how they are made.
+/// What is known of values from the way in which they are made.
 struct KnownLimits {
     double largest_part = unknown_parts;
     Unmet unmet;
@@ -109,7 +109,7 @@ struct UnseenValue {
     double value = 0;
     double one_in = 0;  ///< it occurs once in so many trials, at most
 };
-/// @param mean, reference  of the trials, which have missed the value, and the truth
+/// @param mean, reference of the trials, which have missed the value, and the true mean
 UnseenValue unseen_value(double mean, double reference, std::size_t n, double tail);
 
 }  // namespace ff::stats

@@ -16,7 +16,7 @@ inline constexpr double least_expected = 5;
 /// root mean square relative difference of shares: w² is twice the Kullback-Leibler divergence.
 struct CountDistance {
     double statistic = 0;  ///< G less its bias at few events: its mean is at most freedom + draws w²
-    double empty = 0;      ///< what to add to the statistic so that its mean is at least that
+    double empty = 0;      ///< amount to add to the statistic so that its mean is at least that
     double freedom = 0;    ///< cells - 1
     double variance = 0;   ///< variance of the statistic where nothing differs; at least 2 freedom
     double draws = 0;      ///< n of one sample, n m / (n + m) of two

@@ -18,7 +18,7 @@ struct ShareReference {
 };
 
 /// P-value of "the probability behind `counts` exceeds the reference by at most `difference`": the binomial tail where
-/// the reference is exact [clopper1934]. An uncertain reference has half of the error rate, so that the p-value is
+/// the reference is exact [clopper1934]. An uncertain reference gets half of the error rate, so that the p-value is
 /// twice the tail at which the limits of both meet: it holds for all probabilities, and may be larger than it need be.
 /// @pre counts.trials >= 1
 double p_of_at_most(Proportion counts, const ShareReference& reference, double difference);

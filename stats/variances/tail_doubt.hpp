@@ -20,14 +20,14 @@ struct TailDoubt {
     double limit = 0;
 };
 
-/// Empty where nothing speaks against an interval, or the values are fewer than 50, which may look like anything.
+/// Empty where nothing speaks against an interval, and for fewer than 50 values, which may look like anything.
 std::optional<TailDoubt> doubt_tails(std::span<const double> values);
 
 /// The same by the tail indices of many samples together, each less its median and over its interquartile range: a
 /// method's estimates of many quantities show together what few trials of one do not. Needs 500 values.
 class PooledTails {
   public:
-    /// A sample whose middle half is all equal adds nothing.
+    /// A sample whose middle half consists of equal values adds nothing.
     void add(std::span<const double> values);
     [[nodiscard]] std::optional<TailDoubt> doubt() const;
 

@@ -23,16 +23,16 @@ struct BiasFamily {
     std::size_t not_finite = 0;         ///< untestable because some trial gave no number
     bool few_trials = false;            ///< nothing is tested: too few trials, or no possible bias is detectable
     bool constant_and_wrong = false;    ///< some pair has the same wrong value in every trial, beyond chance
-    bool constant = false;              ///< the same where the law of the values is known well enough, or not
-    double largest_t = 0;               ///< largest |t|, t = bias / standard error
+    bool constant = false;  ///< some pair has the same wrong value in every trial, whether or not chance explains it
+    double largest_t = 0;   ///< largest |t|, t = bias / standard error
     Quantity largest_pair;
     double adjusted_p = 1;  ///< smallest p-value, adjusted for pairs (Holm) and cells (Sidak): the family-wise verdict
     double student_p = 1;   ///< the same if no value were skewed
     bool heavy_tails = false;     ///< a difference counts for nothing, because of the tails of the trials
     bool may_be_unmet = false;    ///< jumps that no evaluation has met may make the difference on the largest pair
     bool others_explain = false;  ///< trials of other pairs are so skewed that they would show a difference too
-    /// What would explain the difference on the largest pair if trials had missed it; empty where it is known to be
-    /// impossible.
+    /// A value that would explain the difference on the largest pair if trials had missed it; empty where it is known
+    /// to be impossible.
     std::optional<stats::UnseenValue> unseen;
     double minimum_detectable_bias = 0;  ///< on the worst pair, at the family-wise level and the study's power
     double shown_below = 0;              ///< smallest margin within which every pair is equivalent (level 1 - 2 alpha)
@@ -67,7 +67,7 @@ EquivalenceFinding equivalence_finding(const BiasFamily& family, bool refuted);
 double level_of_pair(const StudyPlan& plan, std::size_t tested);
 
 /// Whether the mean of a pair is judged by its hits: where their law is known, and where they are too few for any other
-/// rule. Numbers of trials that follow from the trials are not judged so.
+/// rule. This does not apply where the number of trials follows from the trials themselves.
 bool counts_hits(const StudyPlan& plan, const CellEstimates& estimates, Quantity pair, VarianceStatus variance);
 
 /// Tests the distinct pairs of a sampled cell together.

@@ -40,7 +40,7 @@ struct ClassError {
     std::optional<stats::Interval> efficiency_interval;
 };
 
-/// What the evaluations of all trials of a pair may have missed.
+/// What all evaluations of all trials of a pair may have missed.
 using UnmetOf = std::function<stats::Unmet(Quantity pair)>;
 
 /// Empty where no pair of the class has an exact value, or there is no trial.
@@ -56,8 +56,8 @@ std::optional<ClassError> class_error(const CellEstimates& estimates, const Scen
 ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std::uint64_t evaluations,
                           VarianceStatus status, double level, const std::vector<stats::Unmet>& unmet = {});
 
-/// What the mean square of a trial's error, over these pairs, has of values that no evaluation has met: an evaluation
-/// of n moves the trial by its value / n, and n of them may do so.
+/// What the mean square of a trial's error over these pairs may owe to values that no evaluation has met: one of n
+/// evaluations moves the trial by its value / n, and all n may do so.
 stats::Unmet unmet_squares(const std::vector<stats::Unmet>& pairs, std::uint64_t evaluations);
 
 /// Estimate - exact value, [trial * pairs + pair]. @pre all pairs have one
@@ -70,11 +70,11 @@ std::vector<Quantity> known_pairs(std::span<const Quantity> pairs, const KnownFa
 /// The pairs of the class that face each other: others are exactly 0, without error.
 std::vector<Quantity> pairs_of_class(const Scene& scene, std::span<const Quantity> pairs, PairClass wanted);
 
-/// Those of a cell that are distinct and have an exact value.
+/// The pairs of a cell that are distinct and have an exact value.
 std::vector<Quantity> known_pairs_of_class(const StudyPlan& plan, const Cell& cell, const KnownFactors& known,
                                            PairClass wanted);
 
-/// ln RMSE. Empty for trials without a finite variance, and for few of them.
+/// ln RMSE. Empty for trials without a finite variance, and for few trials.
 /// @param certain  no trials would show more: the method is deterministic, or its error is rounding
 std::optional<stats::Measured> log_rmse(const ClassError& error, bool certain = false);
 

@@ -11,7 +11,7 @@ namespace ff::studies {
 
 /// The distribution of the errors of single runs, beside a normal one with the same mean and standard deviation.
 struct ErrorShape {
-    /// Runs with low <= error < high; the last bin holds its upper end too.
+    /// Runs with low <= error < high; the last bin includes its upper end.
     struct Bin {
         double low = 0;
         double high = 0;

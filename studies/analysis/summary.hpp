@@ -69,8 +69,9 @@ std::optional<stats::MeanEvidence> mean_of_trials(std::span<const double> values
                                                   std::optional<std::size_t> pilot_trials,
                                                   const stats::KnownLimits& limits);
 
-/// The hits behind shares of independent rays; empty where they vary from trial to trial as binomial ones hardly ever
-/// do (once in 10 000), so that they are not what their sampler declares. @pre at least 2 values, 0 < lattice
+/// The hits behind shares of independent rays; empty where they vary from trial to trial in a way that binomial hits
+/// hardly ever do (once in 10 000), so that they are not what their sampler declares. @pre at least 2 values, 0 <
+/// lattice
 std::optional<stats::Proportion> binomial_hits(std::span<const double> values, double lattice);
 
 }  // namespace ff::studies

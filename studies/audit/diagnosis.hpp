@@ -13,7 +13,8 @@ struct Diagnosis {
     std::vector<std::size_t> blamed{};  ///< ascending
     double cost = 0;
     std::vector<Range> ranges{};  ///< [variable]: what all constraints that are not blamed allow
-    /// Whether no other blame is cheaper; otherwise each of the blamed is needed, but others might do with fewer.
+    /// Whether no cheaper diagnosis exists; otherwise each of the blamed is needed, but other suspects might explain
+    /// everything with fewer.
     bool proven = true;
 };
 
@@ -28,7 +29,7 @@ inline constexpr std::size_t most_diagnoses = 12;
 
 std::vector<Diagnosis> diagnose(const ConstraintSystem& system);
 
-/// The first of these if it costs at most `limit`, without the search for others.
+/// The cheapest diagnosis if it costs at most `limit`, without a search for others.
 std::optional<Diagnosis> find_cheapest(const ConstraintSystem& system, double limit);
 
 /// A minimal set of unblamed suspects that cannot all be right; empty where there is no contradiction. A system that

@@ -39,7 +39,7 @@ struct Reference {
     double uncertainty = 0;  ///< distance between the two, 0 where a shortened one was used
 };
 
-/// How figures are printed, and the references of errors.
+/// How figures are printed, and what errors are relative to.
 struct Interpretation {
     NumberFormat values;                  ///< format of form factors and row sums
     Rounding errors = Rounding::rounded;  ///< rounding of relative errors, which keep their own decimals

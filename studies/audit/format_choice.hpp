@@ -14,7 +14,7 @@
 
 namespace ff::studies::audit {
 
-/// What experiments are judged by.
+/// The criteria by which experiments are judged.
 struct Judgement {
     const PublishedTables& tables;
     const SceneFacts& facts;
@@ -27,14 +27,14 @@ struct Judgement {
 /// Whether chi-squared finds the values too far from, or too close to, the exact ones.
 bool is_implausible(const JointDistance& spread, double level);
 
-/// The candidate in which the fewest causes explain all contradictions of a method's experiments, the likeliest by
-/// itself of several. One that is not rounded or truncated as stated must save so many misprints
-/// that the odds for it are overwhelming.
+/// The candidate with which the fewest causes explain all contradictions of a method's experiments; among several, the
+/// one that is most likely by itself. One that is not rounded or truncated as stated must save so many misprints that
+/// the odds for it are overwhelming.
 /// @param experiments  those of the method
 NumberFormat choose_format(const Judgement& judgement, std::span<const Experiment> experiments,
                            const InferredFormat& inferred);
 
-/// Does the publication print a method's figures as it says? Empty where it does, or does not say.
+/// A finding where the publication does not print a method's figures as it says; empty where it does, or does not say.
 std::optional<Finding> judge_printing_rule(const PublishedTables& tables, const InferredFormat& inferred);
 
 }  // namespace ff::studies::audit

@@ -9,12 +9,12 @@
 
 namespace ff::studies::audit {
 
-/// More broken pairs than this are not a matter of misprints.
+/// More broken pairs than this cannot be misprints.
 inline constexpr std::size_t most_misprints = 12;
 
-/// Adds that area times factor is the same both ways between two faces: as a matter of course where rows complete each
-/// other; as far as chance allows where every row has its own rays; and as an assumption, which can be given up, where
-/// a deterministic method computes both ways, since its own error may be larger than what is printed.
+/// Adds that area times factor is the same both ways between two faces: unconditionally where rows complete each other;
+/// as far as chance allows where every row has its own rays; and as an assumption, which can be given up, where a
+/// deterministic method computes both ways, since its own error may be larger than what is printed.
 /// @param printed  [variable]: what prints of a pair allow, all together
 void add_reciprocity(const std::map<std::size_t, Range>& printed, double z_limit, ExperimentModel& model);
 

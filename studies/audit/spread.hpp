@@ -14,7 +14,7 @@
 
 namespace ff::studies::audit {
 
-/// A published value of a sampling method: all that its digits allow.
+/// A published value of a sampling method: the range that its digits allow.
 struct SampledValue {
     std::size_t figure = 0;
     Range values;

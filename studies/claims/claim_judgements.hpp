@@ -49,7 +49,7 @@ Judgement judge_count(const ClaimEvidence& evidence, const PublishedClaim& claim
 Judgement judge_not_always_smaller(const ClaimEvidence& evidence, const PublishedClaim& claim);
 Judgement judge_uniform(const ClaimEvidence& evidence, const PublishedClaim& claim);
 Judgement judge_nonuniform(const ClaimEvidence& evidence, const PublishedClaim& claim);
-/// By the errors that a method claims of itself.
+/// Judges a method by the errors that it claims for itself.
 Judgement judge_claimed_errors_hold(const ClaimEvidence& evidence, const PublishedClaim& claim);
 
 }  // namespace ff::studies

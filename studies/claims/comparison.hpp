@@ -29,7 +29,7 @@ struct FigureComparison {
 /// A table's figures of one column taken together.
 struct ColumnChiSquared {
     std::size_t column = 0;
-    std::size_t figures = 0;    ///< including those that every run fixes, which the form leaves out
+    std::size_t figures = 0;    ///< including those that are equal in every run, which the form leaves out
     stats::QuadraticForm form;  ///< printed - mean, with the covariance of the trials; p by Hotelling's T^2
 };
 

@@ -56,8 +56,8 @@ struct Contest {
 
 /// Budgets are those of the method with the most sizes, plus one that all methods can use. Closed forms, unrandomised
 /// point sets (whose single error may be luck), and sizes without a variance or with few trials are left out. Contests
-/// at equal processor time need measured costs. By scene, class, what is equal, and budget, ascending. Methods that
-/// share their random numbers (they differ in completion only) are compared trial by trial.
+/// at equal processor time need measured costs. In the order of scenes, classes, what is equal, and budgets, ascending.
+/// Methods that share their random numbers (they differ in completion only) are compared trial by trial.
 std::vector<Contest> hold_contests(const CellReader& cells, const Analysis& findings);
 
 }  // namespace ff::studies

@@ -15,9 +15,9 @@
 namespace ff::studies {
 
 /// The group of each value, 0 for the best. A group begins with the best value that differs from the first of the
-/// previous group, and has all that do not differ from its own first. Values differ by the intervals of their
-/// differences at `level` over all pairs of them together (Bonferroni), which corrects for having picked the best of
-/// many.
+/// previous group, and contains all following values that do not differ from its own first. Values differ by the
+/// intervals of their differences at `level` over all pairs of them together (Bonferroni), which corrects for having
+/// picked the best of many.
 std::vector<std::size_t> groups_apart(std::span<const stats::Measured> values, double level);
 
 /// The same where `differ` says which of two values (by index) differ.
@@ -31,7 +31,7 @@ struct Ranked {
     std::optional<stats::Interval> interval;  ///< individual interval; empty for deterministic methods
     std::size_t group = 0;                    ///< see groups_apart
     bool alone = false;                       ///< differs from every other, by the same tests as groups
-    /// Interval of how far it is behind the best, by the same test, of logarithms where these are ranked; empty for the
+    /// Interval of its distance from the best, by the same test, in logarithms where these are ranked; empty for the
     /// best and where both are exact.
     std::optional<stats::Interval> behind = {};
 };

@@ -42,14 +42,14 @@ struct Contrast {
     double adjusted_p = 1;  ///< Holm over all tests of the comparison
 };
 
-/// Runs are alike only where a difference of means and one of standard deviations would have been found.
+/// Runs count as alike only where a difference of means and one of standard deviations would have been found.
 enum class Likeness { alike, different, untestable };
 
 /// Why a pair of two independent runs is not tested.
 enum class Untested { few_trials, repeated_trials, not_finite, infinite_variance, too_few_hits, no_spread };
 
 /// What would be detected at the level of the smallest p and with the power, on the worst of the pairs on which
-/// something would be.
+/// anything would be detected.
 struct Detectable {
     double size = 0;
     std::size_t pairs = 0;  ///< their number; few trials of skewed estimates show nothing
@@ -84,7 +84,7 @@ struct Lead {
     std::optional<stats::Interval> decided;  ///< the same for significant ones, larger / smaller
 };
 
-/// A scene of one name that is not the same in both runs: its file was changed, say.
+/// A scene with the same name that differs between the runs, for example because its file was changed.
 struct ChangedScene {
     std::string name;
     std::string difference;  ///< how the faces differ, in words; empty where they are the same: factors are compared

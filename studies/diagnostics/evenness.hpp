@@ -12,8 +12,7 @@
 
 namespace ff::studies {
 
-/// Whether a measure of evenness ranks samplers like their errors do: over cells that differ in the sampler
-/// only.
+/// Whether a measure of evenness ranks samplers as their errors do: over cells that differ only in the sampler.
 struct Evenness {
     std::size_t cell = 0;      ///< one of the cells, for scene, estimator and size
     std::size_t methods = 0;   ///< number of samplers

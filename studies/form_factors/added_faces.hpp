@@ -9,16 +9,16 @@ namespace ff::studies::form_factors {
 /// @throws UserError where a scene is closed, so that nothing leaves it, or has a face of that name
 void expect_surroundings(const Scene& scene, const std::string& name);
 
-/// The scene with the faces that its matrix has beside those with a shape: its masks, and the surroundings if they are
-/// given a name, which close it.
+/// The scene with the additional faces of its matrix that have no shape: its masks and, if they have a name, the
+/// surroundings, which close it.
 Scene with_added_faces(Scene scene, const std::string& surroundings);
 
 /// Adds the masks of a scene to a matrix of its faces.
 void add_masks(Matrix& matrix, const Scene& scene);
 
-/// Adds a face that receives what leaves: what is missing of each row's sum, with an interval of that width, which is
-/// not held to the tolerance of entries. The face sees nothing of itself, and has the area with which its row adds up
-/// to 1.
+/// Adds a face that receives what leaves an open scene: what is missing of each row's sum, with an interval of that
+/// width, to which the tolerance of entries does not apply. The face does not see itself, and has the area with which
+/// its row adds up to 1.
 void add_surroundings(Matrix& matrix);
 
 }  // namespace ff::studies::form_factors

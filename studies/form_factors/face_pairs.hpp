@@ -56,7 +56,7 @@ struct FacePair {
     ExchangeReason reason = ExchangeReason::turned_away;  ///< why it is sampled
 };
 
-/// What a face exchanges with others, all together, that is not kept pair by pair.
+/// The total of what a face exchanges with others that is not kept pair by pair.
 struct DroppedExchange {
     std::uint64_t pairs = 0;
     double value = 0;
@@ -64,29 +64,29 @@ struct DroppedExchange {
     double high = 0;
 };
 
-/// Adds a pair to both of its faces, which are two.
+/// Adds a pair to both of its faces, which differ.
 void add_dropped(std::vector<DroppedExchange>& faces, std::size_t from, std::size_t to, double value, double low,
                  double high);
 
 struct FacePairs {
     explicit FacePairs(std::shared_ptr<const Occluders> owner) : sampled(*owner), occluders(std::move(owner)) {}
 
-    // Both in the order (0,0), (0,1), .., (1,1), .. without those that cannot see each other, and without those that
-    // are dropped.
+    // Both lists in the order (0,0), (0,1), .., (1,1), .. without pairs that cannot see each other, and without those
+    // that are dropped.
     std::vector<KnownPair> known;
     std::vector<FacePair> pairs;           ///< those that are sampled
     SampledPairs sampled;                  ///< pairs of surfaces of `pairs`, in order
     std::vector<double> areas;             ///< area of each face, in squared units of length
     std::vector<DroppedExchange> dropped;  ///< one for each face
     std::shared_ptr<const Occluders> occluders;
-    /// By surface, in order: those between which and it rays count; empty if all do.
+    /// For each surface, in order, the surfaces to which its rays count; empty if all rays count.
     std::vector<std::vector<std::uint32_t>> shot;
 
     [[nodiscard]] std::size_t faces() const { return areas.size(); }
     [[nodiscard]] std::span<const SampledPair> surfaces_of(const FacePair& pair) const {
         return sampled.part(pair.first, pair.count);
     }
-    /// The face from which samples tell more of a sampled pair: the smaller.
+    /// The face from which samples tell more about a sampled pair: the smaller one.
     [[nodiscard]] std::size_t owner(std::size_t pair) const {
         const FacePair& faces = pairs[pair];
         return areas[faces.to] < areas[faces.from] ? faces.to : faces.from;
@@ -98,7 +98,7 @@ struct FacePairs {
 /// @throws UserError for more faces than a matrix may have
 FacePairs examine_pairs(const Scene& scene, const Request& request);
 
-/// Widens what is known of each pair by what coordinates that may be off by so much can change of it.
+/// Widens what is known of each pair by the effect of coordinates that may be off by this much.
 void allow_for_rounding(double rounding, const Scene& scene, FacePairs& pairs);
 
 }  // namespace ff::studies::form_factors

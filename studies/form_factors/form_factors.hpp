@@ -24,10 +24,10 @@ struct FaceExchange {
     double low = 0;
     double high = 0;
     std::uint64_t samples = 0;  ///< rays, or evaluations in cells, of the round that gave the interval
-    /// The most expensive method that its surfaces took; empty where there was no time to sample, and the interval is
-    /// the geometric bound.
+    /// The most expensive method that its surfaces needed; empty where there was no time to sample, so that the
+    /// interval is the geometric bound.
     std::optional<ExchangeMethod> method;
-    ExchangeReason reason = ExchangeReason::turned_away;  ///< why it took that method
+    ExchangeReason reason = ExchangeReason::turned_away;  ///< why it needed that method
     bool clipped = false;                                 ///< geometric limits are narrower than the samples' interval
     bool within = false;                                  ///< within the tolerance, in both directions
     bool contradicted = false;  ///< an independent randomisation disagrees; the interval contains both
@@ -41,7 +41,7 @@ struct RowSum {
     double high = 0;
     bool excludes_one = false;  ///< it misses the 1 of a closed scene, by more than the tolerance
     DroppedExchange dropped{};  ///< its part that is not kept pair by pair, in factors
-    /// By how much the sum misses 1, at a level at which some row of a closed scene does so by chance in 0.001 of runs.
+    /// How much the sum misses 1 by, at a level at which some row of a closed scene does so by chance in 0.001 of runs.
     double off_one = 0;
 };
 
@@ -49,8 +49,8 @@ struct RowSum {
 struct PairRandomisations {
     std::uint32_t from = 0;  ///< at most `to`
     std::uint32_t to = 0;
-    /// The face whose rays they are from. Values of one randomisation share points where this is the same; all others
-    /// are independent.
+    /// The face that the rays start from. Values of one randomisation share points where this face is the same; all
+    /// others are independent.
     std::optional<std::uint32_t> rays_of;
     std::array<float, randomisations> values{};  ///< values of the factor from `from` to `to`
 };
@@ -70,7 +70,7 @@ FaceExchange no_exchange(std::size_t from, std::size_t to);
 /// The larger half of an interval.
 double half_width(const FaceExchange& exchange);
 
-/// The most expensive method that a pair of faces took; "bounds" where there was no time for one.
+/// The most expensive method that a pair of faces needed; "bounds" where there was no time for one.
 std::string_view method_of(const FaceExchange& exchange);
 
 /// The reason for that method.
@@ -91,7 +91,7 @@ struct Matrix {
     double entry_level = 0;                          ///< confidence level of each interval by itself
     std::uint64_t samples = 0;                       ///< samples in all rounds
     std::uint64_t lost_rays = 0;                     ///< rays that met nothing in a closed scene
-    double leak = 0;  ///< share of a row that gaps of a closed scene let out, if no more than the tolerance
+    double leak = 0;  ///< share of a row that leaves a closed scene through gaps, if that is at most the tolerance
     std::uint64_t rays = 0;
     bool interrupted = false;
     std::uint64_t dropped = 0;  ///< number of dropped pairs
@@ -107,7 +107,7 @@ struct Matrix {
     [[nodiscard]] FaceExchange exchange(std::size_t a, std::size_t b) const;
     using Sparse = Eigen::SparseMatrix<double, Eigen::RowMajor>;
     [[nodiscard]] Sparse factors() const;
-    /// Larger halves of the intervals.
+    /// The larger halves of all intervals.
     [[nodiscard]] Sparse half_widths() const;
     [[nodiscard]] std::size_t missed() const;  ///< pairs of faces that are not within the tolerance
 };

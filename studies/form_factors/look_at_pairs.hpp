@@ -7,7 +7,7 @@
 
 namespace ff::studies::form_factors {
 
-/// A pair that is dropped takes little room.
+/// A dropped pair needs little memory.
 struct DroppedPair {
     std::uint32_t from = 0;
     std::uint32_t to = 0;
@@ -23,7 +23,7 @@ struct Seen {
 };
 
 /// Looks at each pair of surfaces that belong to faces. @return what was found, part by part
-/// @param known  its areas and occluders
+/// @param known provides areas and occluders
 /// @throws InterruptedError where the request is stopped and there are more pairs than can be kept as unknown
 std::vector<Seen> look_at_pairs(const Scene& scene, const FacePairs& known, const Request& request);
 

@@ -52,7 +52,7 @@ class RowSums {
 /// Puts the exchanges and sums of a matrix together, as estimates come in.
 class MatrixBuilder {
   public:
-    /// References are kept. The matrix gets its exchanges, sampled ones as geometry bounds them.
+    /// References are kept. The matrix gets its exchanges; sampled ones begin with their geometric bounds.
     /// @param matrix  with its areas @param known  pairs beside those that are sampled, in order
     /// @param alpha  1 - level of a pair's interval
     MatrixBuilder(Matrix& matrix, const FacePairs& geometry, const std::vector<KnownPair>& known,
@@ -61,7 +61,7 @@ class MatrixBuilder {
     /// @param p  place in FacePairs::pairs
     void take(std::size_t p, const PairEstimate& estimate);
 
-    /// When all have been taken that are going to be. @param farthest  coordinate of the scene
+    /// To be called after the last estimate. @param farthest largest coordinate of the scene
     void end(double farthest);
 
   private:

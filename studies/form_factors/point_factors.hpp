@@ -18,8 +18,8 @@ struct PointFactor {
     double high = 0;
 };
 
-/// Form factors from an element of area, as of a sensor, to the faces of a scene: exact but for rounding, since of
-/// every polygon the part that is seen past all others is found.
+/// Form factors from an element of area, such as a sensor, to the faces of a scene: exact up to rounding, since the
+/// part of every polygon that is seen past all others is found.
 class PointFactors {
   public:
     /// @throws UserError where a surface is curved

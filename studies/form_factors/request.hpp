@@ -46,9 +46,9 @@ struct Progress {
 
 /// A request to `ffstudy form_factors`.
 struct Request {
-    double tolerance = 1e-5;  ///< most that the longer half of an entry's interval may measure
+    double tolerance = 1e-5;  ///< largest length of the longer half of an entry's interval
     double relative = 0;      ///< or this share of the entry, where that is more
-    double drop = 0;          ///< pairs whose factors are both known to be below are not kept one by one
+    double drop = 0;          ///< pairs whose factors are both known to be below this are not kept one by one
     /// Tolerance between two faces, where it differs from pair to pair; empty: `tolerance` for all. Never returns less
     /// than `tolerance`.
     std::function<double(std::uint32_t from, std::uint32_t to)> tolerance_of{};

@@ -14,7 +14,7 @@
 
 namespace ff::studies::form_factors {
 
-/// Places in FacePairs::pairs, by the face that owns the pairs.
+/// Places in FacePairs::pairs, grouped by the face that owns the pairs.
 using PairsOfRows = std::map<std::size_t, std::vector<std::size_t>>;
 
 /// Most rounds of a pair whose interval may be reported.
@@ -31,12 +31,12 @@ double round_level(double alpha, std::size_t round);
 /// budget ends.
 class Rounds {
   public:
-    /// All are kept by reference. @param alpha  1 - level of a pair's interval @param rows  all that there are
+    /// All arguments are kept by reference. @param alpha 1 - level of a pair's interval @param rows all rows that exist
     Rounds(const Scene& scene, const FacePairs& geometry, const Request& request, double alpha,
            const PairsOfRows& rows);
 
     /// @param budget  samples, at most
-    /// @return whether it came to its end; where it was stopped, pairs may lack estimates
+    /// @return whether it was completed; if it was stopped, pairs may lack estimates
     /// @throws UserError where nothing has been sampled yet, and the budget is less than the smallest rounds
     bool sample(const PairsOfRows& rows, std::uint64_t budget);
     /// What the last call found, row by row.

@@ -14,9 +14,9 @@ namespace ff::studies::form_factors {
 /// Fewest rays of a randomisation.
 inline constexpr std::uint64_t least_rays = 4096;
 
-/// Pairs of a face with others, all by rays that leave it: by one scrambled Sobol' sequence in four dimensions for all
-/// its surfaces with an unknown exchange with the others. The first coordinate chooses the surface by its share of the
-/// area, and its remainder the place. Rounds are independent.
+/// Pairs of a face with others, all sampled by rays that leave it: one scrambled Sobol' sequence in four dimensions
+/// serves all its surfaces whose exchange with the others is unknown. The first coordinate chooses the surface by its
+/// share of the area, and its remainder the place. Rounds are independent.
 class RowByRays {
   public:
     /// @param pairs  by their place in FacePairs::pairs
@@ -60,7 +60,7 @@ class RowByRays {
     std::uint64_t rays_ = least_rays;
     std::vector<Hits> hits_;  ///< one for each randomisation
 
-    /// For each face the place of its pair, or a mark that it has none.
+    /// For each face, the place of its pair, or a mark that there is none.
     [[nodiscard]] std::vector<std::uint32_t> pairs_of_faces() const;
     [[nodiscard]] bool is_shot(std::uint32_t from, std::uint32_t to) const;
 };

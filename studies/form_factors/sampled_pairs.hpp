@@ -28,7 +28,7 @@ struct SampledPair {
     [[nodiscard]] double times() const { return face == other_face && from != to ? 2 : 1; }
 };
 
-/// A list of them, with what may stand in between.
+/// A list of such pairs, with what may stand in between.
 class SampledPairs {
   public:
     /// @param occluders  own the blockers
@@ -36,7 +36,7 @@ class SampledPairs {
 
     void add(std::uint32_t face, std::uint32_t other_face, std::uint32_t from, std::uint32_t to,
              const PairExchange& exchange);
-    /// @param pair  of another list of the same occluders
+    /// @param pair from another list with the same occluders
     void add(const SampledPair& pair, const SampledPairs& others);
     void reserve(std::size_t pairs, std::size_t blockers);
     /// By faces, then by surfaces.

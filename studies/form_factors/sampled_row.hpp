@@ -31,10 +31,10 @@ struct SampledRow {
     std::uint64_t lost = 0;  ///< rays that met nothing
 };
 
-/// As 64-bit words, for a file or another process of the same program.
+/// The row as 64-bit words, for a file or another process of the same program.
 std::vector<std::uint64_t> to_words(const SampledRow& row);
 
-/// What `to_words` made these of; empty where it has not.
+/// The row from which `to_words` made these; empty where they are not from it.
 std::optional<SampledRow> sampled_row(std::span<const std::uint64_t> words);
 
 }  // namespace ff::studies::form_factors

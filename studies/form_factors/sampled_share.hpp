@@ -54,7 +54,7 @@ struct SampledSum {
 /// Clopper and Pearson's upper bound of a probability after this many points without a hit.
 double none_of(std::uint64_t points, double level);
 
-/// How much of a term points may have missed.
+/// How much of a term all points may have missed.
 double unmet_of(double scale, const SampledShare& share, double level);
 
 /// A known sum with the mean of independent values added, with Student's interval, and with what may be missed.

@@ -9,7 +9,7 @@
 
 namespace ff::studies::gates {
 
-/// Every effect of a gate judged on the trials so far. Pure.
+/// Judges every effect of a gate on the trials so far. Pure.
 /// @param estimates  of the plan's cells, in their order
 std::vector<Comparison> compare(const Gate& gate, const Plan& plan, std::span<const CellEstimates> estimates);
 

@@ -13,8 +13,8 @@ namespace ff::studies::heat {
 /// what it changes is absorbed in the end by the face (the adjoint solution), times how far the radiosity at its other
 /// end is from the row's weighted median (rows add up to 1, so that errors only move radiation between faces). Samples
 /// are taken to grow as 1 / half width, from what each pair took. For one face's power the best half widths follow by
-/// Lagrange's rule; for all powers together faces are weighted, those whose power is known worst more, until that no
-/// longer helps.
+/// Lagrange's rule; for all powers together faces are weighted, with more weight for those whose power is known worst,
+/// until that no longer helps.
 /// @param floor  of the half widths
 /// @return for each exchange of the matrix, as a form factor of its smaller face, 0 for those that are exact; empty
 ///   where the mean factors determine no flows

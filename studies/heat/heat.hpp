@@ -22,17 +22,17 @@ struct FlowTolerance {
     double amount = 1e-3;
     bool is_power = false;  ///< in W; otherwise a share of what the sources give off
 
-    /// W. @param throughput  what the sources give off
+    /// The tolerance in W. @param throughput what the sources give off
     [[nodiscard]] double power(double throughput) const { return is_power ? amount : amount * throughput; }
 };
 
 /// Reads "0.001", "0.1%" or "40W". @param place  for messages, such as "--tolerance" @throws UserError
 FlowTolerance read_flow_tolerance(std::string_view place, std::string_view text);
 
-/// As the reader takes it: "0.1%", "40W".
+/// The tolerance as text that the reader accepts: "0.1%", "40W".
 std::string in_words(const FlowTolerance& tolerance);
 
-/// From `low` to `high` at the level of the form factors, all quantities of a scene at once.
+/// An interval at the level of the form factors, for all quantities of a scene at once.
 struct Bounds {
     double low = 0;
     double high = 0;
@@ -60,15 +60,15 @@ struct Flows {
     double emitted = 0;            ///< W: what they emit, before any of it is reflected or comes back
     double worst = 0;              ///< W: largest half width of a power
 
-    /// Nothing is exchanged, up to rounding, such as between faces of one temperature: no power differs from 0, nor can
-    /// by more than a billionth of what is emitted.
+    /// Nothing is exchanged, up to rounding, as between faces of one temperature: no power is shown to differ from 0,
+    /// and none can do so by more than a billionth of what is emitted.
     [[nodiscard]] bool are_at_rest() const;
     [[nodiscard]] bool within(const FlowTolerance& tolerance) const {
         return worst <= tolerance.power(throughput) || are_at_rest();
     }
 };
 
-/// Whether a face reaches any that has a temperature depends on factors whose intervals begin at 0.
+/// It depends on factors whose intervals begin at 0 whether a face reaches one with a temperature.
 class UnresolvedFlows : public UserError {
     using UserError::UserError;
 };

@@ -50,12 +50,12 @@ class Program {
     /// @throws IoError where it cannot be started, fails, takes too long or prints too much
     [[nodiscard]] std::string run(const std::string& place, Seed seed, Values values, std::uint64_t most_output) const;
 
-    /// Its answer to a request; it is started once per thread. @pre takes_requests()
+    /// The program's answer to a request; it is started once per thread. @pre takes_requests()
     /// @param size  total bytes of an answer, from its beginning @throws IoError as `run` does
     [[nodiscard]] std::string ask(const std::string& place, const std::string& line,
                                   const ChildConversation::Size& size, std::uint64_t most_output) const;
 
-    /// Sees to it that it repeats, and that its seed counts: Repeatable::expect.
+    /// Checks that its results repeat, and that they depend on its seed: Repeatable::expect.
     template <class Result, class Telling>
     void expect_repeatable(std::string_view what, const Result& result, const Telling& telling) {
         repeatable_.expect(title(), what, result, telling);

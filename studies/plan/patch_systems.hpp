@@ -18,7 +18,7 @@ bool tells_patches_apart(const StudyPlan& plan, std::size_t index);
 /// Whether the study asks for systems between the patches of this cell.
 bool has_patch_systems(const StudyPlan& plan, std::size_t index);
 
-/// How many of its trials enter them.
+/// How many of the cell's trials enter them.
 std::uint64_t patch_trials(const StudyPlan& plan, std::size_t index);
 
 /// @throws UserError where a cell has more patches than the limit above, or lacks exact factors

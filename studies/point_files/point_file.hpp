@@ -31,8 +31,8 @@ std::uint64_t raw_size(std::string_view beginning);
 samplers::PointSet parse_raw(std::string_view bytes, const std::string& origin);
 bool is_ld_data(std::string_view text);
 samplers::PointSet parse_ld_data(std::string_view text, const std::string& origin);
-/// Powers of 2 below its size whose first points are spread in every coordinate as the whole set is: one in each
-/// interval.
+/// Powers of 2 below the size of a set such that its first points are spread as evenly in every coordinate as the whole
+/// set: one in each interval.
 std::vector<std::uint64_t> nested_sizes(const samplers::PointSet& set);
 
 /// x * 2^32. @throws UserError unless 0 <= x < 1, with the place counted from 0

@@ -48,7 +48,7 @@ class SettingCollector {
     SettingStatistics statistics_;
     SolverRuns solvers_;
     std::vector<double> radius_, condition_, energy_;
-    std::vector<std::vector<double>> by_element_;  // all together, then each
+    std::vector<std::vector<double>> by_element_;  // all elements together, then each element
 };
 
 /// Collects all trials of a cell under one treatment. Matrices are processed one by one and not kept.

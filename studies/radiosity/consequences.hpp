@@ -103,7 +103,7 @@ struct Results {
 
     /// @param m as of ExactSystem
     [[nodiscard]] const ExactSystem& exact_system(std::size_t scene, std::size_t setting, std::uint32_t m = 0) const;
-    /// Null where the cell has none, as only between patches.
+    /// Null where the cell has none, for example because it has systems only between patches.
     [[nodiscard]] const Consequences* find(std::size_t cell, Treatment treatment,
                                            Between between = Between::faces) const;
 };

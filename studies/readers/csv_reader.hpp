@@ -47,7 +47,7 @@ class CsvReader {
     std::size_t column_ = 1;
 };
 
-/// Where each named column stands in a header, in the order of `names`; empty where it does not.
+/// Position of each named column in a header, in the order of `names`; empty for a missing one.
 /// @throws UserError for a column of another name, or one that stands twice
 std::vector<std::optional<std::size_t>> find_columns(const CsvReader& reader, const std::vector<CsvField>& header,
                                                      std::span<const std::string_view> names);

@@ -14,7 +14,7 @@ class Digest {
     Digest& add(std::uint64_t word);
     Digest& add(std::string_view text);
     Digest& add(std::span<const std::uint64_t> words);
-    /// As SQLite keeps a number in a NUMERIC column: whole numbers are equal, whatever their type was, and so are
+    /// Adds a number as SQLite keeps it in a NUMERIC column: whole numbers of different types are equal, and so are
     /// zeros.
     Digest& add_number(double value);
     [[nodiscard]] std::uint64_t value() const { return state_; }
@@ -23,7 +23,7 @@ class Digest {
     std::uint64_t state_ = 0x9e3779b97f4a7c15;
 };
 
-/// As text, for tables of keys and values.
+/// The checksum as text, for tables of keys and values.
 std::string in_hexadecimal(const Digest& digest);
 
 }  // namespace ff::studies

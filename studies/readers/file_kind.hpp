@@ -28,8 +28,7 @@ std::optional<FileKind> kind_of(std::string_view bytes);
 /// "a scene file"
 std::string_view name_of(FileKind kind);
 
-/// What a file is that no command takes, by the bytes that it begins with: "a PNG picture". Empty where they do not
-/// tell.
+/// The kind of a file that no command accepts, by its first bytes: "a PNG picture". Empty where they do not tell.
 std::string_view name_of_foreign(std::string_view bytes);
 
 /// The command that takes the file: "ffstudy form_factors FILE"

@@ -6,7 +6,7 @@
 
 namespace ff::studies {
 
-/// Position of the first byte that is not valid UTF-8; npos where all is.
+/// Position of the first byte that is not valid UTF-8; npos where all bytes are.
 std::size_t find_no_utf8(std::string_view text);
 
 /// The text with those characters as escapes: \x1b for a byte, \u202e for others.

@@ -9,9 +9,9 @@ namespace ff::studies {
 
 inline constexpr std::uint64_t most_for_groups = 1u << 16;
 
-/// A lattice of n points is a shifted group modulo 1 of multiples of 1/n. The first point that the lattice of those
-/// before it has no room for, or that is there twice; empty where the set is a lattice. Coordinates may be off by a
-/// rounding to 2^-32. @pre which < set.sets, set.points <= most_for_groups
+/// A lattice of n points is a shifted group modulo 1 of multiples of 1/n. Finds the first point that does not fit into
+/// the lattice of the points before it, or that occurs twice; empty where the set is a lattice. Coordinates may be off
+/// by a rounding to 2^-32. @pre which < set.sets, set.points <= most_for_groups
 std::optional<std::uint64_t> first_off_lattice(const samplers::PointSet& set, std::uint64_t which);
 
 /// Whether the set is a digital net in base 2, up to a digital shift: the differences of points, by exclusive or, are a

@@ -8,7 +8,7 @@
 
 namespace ff::studies {
 
-/// What one coordinate of n points looks like.
+/// Facts about one coordinate of n points.
 struct CoordinateStructure {
     std::uint64_t values = 0;         ///< number of different values; n where none occurs twice
     std::uint64_t equal_pairs = 0;    ///< pairs of points with the same value
@@ -49,8 +49,8 @@ samplers::PointSet projection(const samplers::PointSet& set, std::uint64_t which
 /// How many points each of k^d cells holds; those of one coordinate are slices.
 std::vector<std::uint64_t> points_of_cells(const samplers::Sorting& sorting, std::uint64_t k);
 
-/// The base of t-values: of a sampler that is made for powers its own; else 2, or the least of 3, 5, 7, 11 and 13 that
-/// the number of points is a power of.
+/// The base of t-values: that of the sampler, if it is made for powers; otherwise 2, or the smallest of 3, 5, 7, 11 and
+/// 13 of which the number of points is a power.
 std::uint32_t base_of_structure(std::uint64_t points, std::uint32_t base_of_powers);
 
 }  // namespace ff::studies

@@ -30,20 +30,20 @@ struct StructureEvidence {
     std::uint64_t trials = 0;
 };
 
-/// Chance that any of the doubts below is raised by independent random points, at most.
+/// Upper bound of the probability that independent random points raise any of the doubts below.
 inline constexpr double false_doubts = 1e-6;
 
 /// Looks at as many of the first trials as take about a second. @pre trials >= 1
 StructureEvidence draw_structure(const PointSource& source, std::size_t dimension, StreamKey key, std::uint64_t trials,
                                  std::uint32_t base);
 
-/// What the sets look like, beside random points: notes alone.
+/// What the sets look like, compared with random points: only notes.
 std::vector<SamplerCheck> describe(const StructureEvidence& evidence);
 
-/// Values that are few: inconclusive where neither chance nor origins that consecutive points share explain it, and
-/// where all values of a randomised sampler lie on a grid of 2^16 steps or fewer, as numbers of a few bits or decimals
-/// do. A note where consecutive points share origins, where a lattice or a grid of cells explains the values, and where
-/// sets have values in common otherwise.
+/// Too few different values: inconclusive where neither chance nor origins that consecutive points share explain them,
+/// and where all values of a randomised sampler lie on a grid of 2^16 steps or fewer, like numbers with few bits or
+/// decimals. A note where consecutive points share origins, where a lattice or a grid of cells explains the values, and
+/// where sets have values in common otherwise.
 /// @param kept  promises that every set keeps
 std::vector<SamplerCheck> doubt_values(const StructureEvidence& evidence, const std::vector<Promise>& kept);
 

@@ -35,7 +35,7 @@ struct CellRule {
     [[nodiscard]] std::array<double, most_nodes> weights_at(double x) const;
 };
 
-/// The image of the unit square in a quadrilateral; one of its corners may be that of two.
+/// The image of the unit square in a quadrilateral; two of its corners may coincide.
 struct Quadrilateral {
     std::array<Eigen::Vector3d, 4> corner;
 
@@ -47,7 +47,7 @@ struct Quadrilateral {
     [[nodiscard]] std::pair<Eigen::Vector2d, double> random_place(const Eigen::Vector2d& xy) const;
     /// Upper bound of that area.
     [[nodiscard]] double most_area() const;
-    /// Across its longer sides.
+    /// Halves it across its longer sides.
     [[nodiscard]] std::array<Quadrilateral, 2> halves() const;
     /// Extent of the image in a plane. Its size is such that two places are no farther apart than this size, times
     /// their distance in the square over the largest distance there.
@@ -109,16 +109,16 @@ struct Cell {
     }
 };
 
-/// A surface that is integrated over, and a polygon past polygons.
+/// A surface that is integrated over, and a polygon that it sees past other polygons.
 struct CellPair {
-    const Surface& source;  ///< the smaller polygon, or what is round
+    const Surface& source;  ///< the smaller polygon, or the round surface
     const Surface& target;
     const PairExchange& exchange;
     FacedEnd source_end;
     double most = 0;  ///< upper bound of the exchange area
 };
 
-/// What places in cells of a source see of a target.
+/// The factors from places in cells of a source to what they see of a target.
 class CellFactors {
   public:
     explicit CellFactors(const CellPair& pair);
@@ -129,8 +129,8 @@ class CellFactors {
     [[nodiscard]] const Eigen::Vector3d& origin() const { return origin_; }
     [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
-    /// At places in a cell, given in its square; they live until the next call.
-    /// @param some  whether the cell lists those that may hide something, else all may
+    /// The factors at places in a cell, which are given in its square; they are valid until the next call.
+    /// @param some whether the cell lists the blockers that may hide something; otherwise all may
     std::span<const Factors> at(const Cell& cell, std::span<const Eigen::Vector2d> places, bool some);
 
     /// Area that a place in a cell stands for, per area in its square.
@@ -143,7 +143,7 @@ class CellFactors {
     /// @param xy  uniform in the unit square
     [[nodiscard]] RandomPlace random_place(const Cell& cell, const Eigen::Vector2d& xy) const;
 
-    /// Notes what random places may miss in a cell. @param blockers  that may hide something from it
+    /// Notes what random places may miss in a cell. @param blockers those that may hide something from it
     void bound(Cell& cell, const PartBounds& bounds, std::span<const std::uint32_t> blockers) const;
 
   private:

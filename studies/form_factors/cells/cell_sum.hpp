@@ -10,7 +10,7 @@
 
 namespace ff::studies::form_factors {
 
-/// An estimate and what it took.
+/// An estimate and its cost.
 struct CellSum {
     SampledSum sum;
     std::uint64_t evaluations = 0;

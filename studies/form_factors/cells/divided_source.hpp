@@ -19,25 +19,25 @@ struct CellLimits {
     const std::atomic<bool>* stop = nullptr;  ///< set by another thread: nothing is divided any more
 };
 
-/// Most random places of a cell in a randomisation: where they may miss too much, a cell takes so many before it is
+/// Most random places of a cell in a randomisation: where they may miss too much, a cell gets this many before it is
 /// halved.
 inline constexpr std::uint32_t most_places = 8;
 
 /// A source in cells that are small enough for Gauss's rule, and for the random places that measure what the rule
-/// leaves. It is cut first along lines at which the factor changes. Where that would make too many parts, or so little
-/// is exchanged that a few places do, and where it is round, it is not cut, and what random places may miss is bounded
-/// by geometry (`PartBounds`).
+/// leaves. It is cut first along lines at which the factor changes. It is not cut where that would make too many parts,
+/// where so little is exchanged that a few places are enough, and where it is round: geometry then bounds what random
+/// places may miss (`PartBounds`).
 class DividedSource {
   public:
     DividedSource(const CellPair& pair, const CellLimits& limits);
 
     [[nodiscard]] CellFactors& factors() { return factors_; }
     [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
-    /// Random ones of all cells in a randomisation.
+    /// Number of random places of all cells in a randomisation.
     [[nodiscard]] std::uint64_t places() const { return places_; }
     /// Share of a cell that random places may miss, with one of them in each randomisation.
     [[nodiscard]] double unmet_share() const { return unmet_share_; }
-    /// Which side is integrated: the smoother.
+    /// The side that is integrated: the smoother one.
     [[nodiscard]] Side side() const { return side_; }
     [[nodiscard]] bool is_cut() const { return !bounds_; }
     [[nodiscard]] bool is_fine_enough() const { return is_fine_enough_; }

@@ -52,12 +52,12 @@ class Rims {
     [[nodiscard]] double widest_angle(const PartExtent& part) const;
 };
 
-/// What geometry shows of the factor from places in a part of a source to what they see of a polygon, or to what is
-/// hidden of it from them. Whatever the size of a blocker or a gap, its possible shadow is found in this way, not met
-/// by chance.
+/// Bounds by geometry of the factor from places in a part of a source to what they see of a polygon, or to what is
+/// hidden of it from them. Whatever the size of a blocker or a gap, its possible shadow is found in this way rather
+/// than met by chance.
 class PartBounds {
   public:
-    /// Two polygons. @param rim  of the pair @param blockers  number of all that may stand between
+    /// Two polygons. @param rim of the pair @param blockers number of all blockers that may stand between
     PartBounds(const Surface& source, const BlockedPair& pair, const std::vector<RimEdge>& rim, std::size_t blockers);
     /// A round source. @param origin  near it; places are relative to it
     PartBounds(const Surface& source, const Surface& target, const std::vector<Blocker>& blockers,

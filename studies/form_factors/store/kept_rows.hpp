@@ -28,9 +28,9 @@ class KeptRows {
     void keep(const SampledRow& row) const;
     /// Passes on every row. @throws IoError where one is damaged
     void read(const std::function<void(SampledRow)>& receive) const;
-    /// Takes in the rows of another file of the same matrix. @throws UserError, IoError
+    /// Adds the rows of another file of the same matrix. @throws UserError, IoError
     void take(const std::filesystem::path& file) const;
-    /// Faces whose rows are there, in order.
+    /// Faces whose rows are kept, in order.
     [[nodiscard]] std::vector<std::uint32_t> faces() const;
 
   private:
@@ -38,7 +38,7 @@ class KeptRows {
     Database database_;
 };
 
-/// What such a file is of: source of the scene, and request. @throws UserError, IoError
+/// What such a file belongs to: the source of the scene, and the request. @throws UserError, IoError
 std::pair<SceneSource, Request> matrix_of_kept_rows(const std::filesystem::path& file);
 
 }  // namespace ff::studies::form_factors

@@ -32,7 +32,7 @@ void run_with(Statement& statement, const Values&... values) {
 /// The table of keys and values of a file, in which every number has to make sense.
 class StoredKeys {
   public:
-    /// All are kept by reference.
+    /// The arguments are kept by reference.
     StoredKeys(const Database& database, const StoreFormat& format, const std::filesystem::path& file)
         : database_(database), format_(format), file_(file) {}
 
@@ -59,7 +59,7 @@ class StoredKeys {
 void write_request(const Database& database, const StoreFormat& format, const SceneSource& source,
                    const Request& request);
 
-/// What it has written: source and request.
+/// The source and the request that were written.
 std::pair<SceneSource, Request> read_request(const StoredKeys& keys);
 
 }  // namespace ff::studies::form_factors
