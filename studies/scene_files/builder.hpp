@@ -27,32 +27,32 @@ class SceneBuilder {
     /// @throws UserError where the name cannot be used in tables and files
     int face(const std::string& label, std::uint64_t line);
 
-    /// A face of its own, whose name gets a number where there is one of that name.
+    /// A new face, whose name gets a number where the name is already used.
     int new_face(const std::string& label, std::uint64_t line);
 
-    /// A name that nothing else has, which is taken thus: this, or with a number behind it.
+    /// Reserves a name that nothing else has: this one, or this one with a number appended.
     std::string reserve_name(const std::string& label, bool numbered = false);
     [[nodiscard]] const std::string& name_of(int face) const { return scene_.faces[static_cast<std::size_t>(face)]; }
 
     /// @throws UserError where the surface has no area, a number is not finite or too large
     void add(Surface surface, std::uint64_t line);
 
-    /// Whether a polygon has an area. Where it has none, that is remarked upon, and it is to be left out.
+    /// Whether a polygon has an area. Where it has none, a remark is added, and the polygon is to be left out.
     [[nodiscard]] bool has_area(const std::vector<Eigen::Vector3d>& corners, std::uint64_t line);
 
     /// A polygon of three or more corners, counter-clockwise from its radiating side: a parallelogram where it is one,
-    /// else triangles. That is remarked upon where it is not plane to 1e-6 of its size, or not convex.
+    /// otherwise triangles. A remark is added where it is not plane to 1e-6 of its size, or not convex.
     /// @pre it has an area @throws UserError where its edges cross each other, or it is too large
     void add_polygon(const std::vector<Eigen::Vector3d>& corners, int face, std::uint64_t line);
 
-    /// Adds to what is said of the scene as read.
+    /// Adds a remark about the scene as read.
     void remark(std::string text) { scene_.remarks.push_back(std::move(text)); }
 
     [[noreturn]] void fail(std::uint64_t line, std::string_view problem) const;
 
-    /// Turns surfaces round that face the other way than the rest of their face, leaves out what is there twice, and
-    /// cuts out what bodies cover that stand on surfaces. Faces of which nothing is left are left out.
-    /// @param materials  of the faces; those of faces that are left out are taken out. Null: none
+    /// Reverses surfaces that face the other way than the rest of their face, leaves out duplicates, and cuts out the
+    /// parts of surfaces that bodies stand on. Faces of which nothing remains are left out.
+    /// @param materials of the faces; those of faces that are left out are removed. Null: none
     /// @throws UserError where there is no surface, no face, a face without surfaces, or a surface of two faces
     Scene finish(bool closed, std::vector<FaceMaterial>* materials = nullptr);
 

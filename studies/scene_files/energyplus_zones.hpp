@@ -12,7 +12,7 @@
 
 namespace ff::studies {
 
-/// What a file says of all geometry, its zones and spaces, and which one is read.
+/// The rules of a file for all geometry, its zones and spaces, and which one is read.
 class EnergyPlusZones {
   public:
     /// @param wanted  name of a zone or space; empty where there is only one zone
@@ -21,23 +21,23 @@ class EnergyPlusZones {
 
     /// The zone or space that is read, as the file calls it.
     [[nodiscard]] const std::string& chosen() const { return chosen_; }
-    /// The zone that is read, or that of the space, in small letters.
+    /// The zone that is read, or the zone of the space, in lower case.
     [[nodiscard]] const std::string& zone() const { return zone_; }
 
     [[nodiscard]] bool is_defined(const std::string& zone) const { return zones_.contains(zone); }
-    /// Whether what belongs to a zone and a space belongs to what is read. Names are in small letters here and below.
+    /// Whether an object of this zone and space is part of what is read. Names are in lower case here and below.
     [[nodiscard]] bool is_chosen(const std::string& zone, const std::string& space) const;
     /// Empty where there is no such space.
     [[nodiscard]] const std::string& zone_of_space(const std::string& space) const;
 
-    /// Whether corners go round clockwise as seen from outside.
+    /// Whether corners are in clockwise order as seen from outside.
     [[nodiscard]] bool is_clockwise() const { return is_clockwise_; }
     /// A place in the coordinates of the zone that is read: only these keep right angles exact.
     /// @param from  zone whose coordinates it is in
     [[nodiscard]] Eigen::Vector3d moved(const Eigen::Vector3d& place, const std::string& from) const;
 
   private:
-    /// Where a zone lies where coordinates are relative to it.
+    /// The position of a zone, where coordinates are relative to it.
     struct Place {
         std::string name;
         Eigen::Vector3d origin = Eigen::Vector3d::Zero();

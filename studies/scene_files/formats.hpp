@@ -10,7 +10,7 @@
 
 namespace ff::studies {
 
-/// Each reads the text of a scene file; `name` is the file's, for messages.
+/// Each function reads the text of a scene file; `name` is the file's, for messages.
 /// @throws UserError "name:line: problem (why). Suggestion."
 SceneWithMaterials read_toml_scene(std::string_view name, std::string_view text);
 SceneWithMaterials read_obj_scene(std::string_view name, std::string_view text);
@@ -32,7 +32,7 @@ inline constexpr auto names_of<Facing> = name_table(Named{Facing::outward, "outw
 /// Groups of this name are occluders rather than faces.
 inline constexpr std::string_view occluder_group = "occluder";
 
-/// Whether a file name ends so, in letters of either case. @param extension  in small letters
+/// Whether a file name ends with this extension, in upper or lower case. @param extension in lower case
 bool has_extension(std::string_view name, std::string_view extension);
 
 /// Whether a file name is that of a mesh: .stl, .ply, .off, .gltf, .glb, .vtk, .vtu, .vtp or .msh.
@@ -45,7 +45,7 @@ bool names_energyplus(std::string_view name);
 /// file names materials, or groups of cells; its content decides which format it has. @throws UserError, IoError
 std::string mesh_as_obj(const std::filesystem::path& file);
 
-/// @throws UserError where the content of a file that is not named so is that of a mesh
+/// @throws UserError where a file without the extension of a mesh contains one
 void expect_no_mesh(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace ff::studies

@@ -7,7 +7,7 @@
 
 namespace ff::studies {
 
-/// What is done with a polygon that cannot be taken as it is.
+/// What is done with a polygon that cannot be used as it is.
 enum class PolygonChange { no_area, twice, bent, concave, turned };
 
 /// The lines of such polygons.

@@ -21,14 +21,14 @@ std::string scene_extensions_in_words();
 /// The text of a scene file; a mesh is converted to OBJ. @throws UserError, IoError
 std::string read_scene_file(const std::filesystem::path& file);
 
-/// What a face of an OBJ file is, as in its comment "faces group".
+/// The values of the comment "faces group" of an OBJ file, which says what a face is.
 inline constexpr std::array<std::string_view, 4> obj_faces{"group", "object", "material", "polygon"};
 /// Which axis of an OBJ file points up, as in its comment "up y"; it becomes z.
 inline constexpr std::array<std::string_view, 3> obj_axes{"x", "y", "z"};
 /// A comment of OBJ files: every ray hits something.
 inline constexpr std::string_view closed_scene = "closed";
 
-/// Whether lengths of an OBJ file can be multiplied so, as its comment "scale 0.001" asks: 1e-9 to 1e9.
+/// Whether lengths of an OBJ file can be multiplied by this factor, as its comment "scale 0.001" requests: 1e-9 to 1e9.
 bool is_scale(double factor);
 
 /// The text of an OBJ file, or of a converted mesh, with such a comment.
@@ -61,8 +61,8 @@ void expect_no_masks(const Scene& scene);
 
 /// Doubts about a scene.
 struct SceneDoubts {
-    /// Faults, with which results are not what was meant: a closed scene leaks, coplanar faces overlap, or no face sees
-    /// another but their backs do.
+    /// Faults, with which results are not what the user meant: a closed scene leaks, coplanar faces overlap, or no face
+    /// sees another but their backs do.
     std::vector<std::string> faults;
     std::vector<std::string> notes;  ///< possible misunderstandings, with what is assumed
 };

@@ -22,13 +22,13 @@ struct SceneSource {
     [[nodiscard]] bool is_file() const;
     /// The name with its zone and its mirrors: "cube mirrors:6", with '+' between faces, "house.idf zone:Attic".
     [[nodiscard]] std::string title() const;
-    /// What studies in stores say: the title and, after a line break, the text.
+    /// The source as studies in stores have it: the title and, after a line break, the text.
     [[nodiscard]] std::string written() const;
 
     auto operator<=>(const SceneSource&) const = default;
 };
 
-/// The source that is written so.
+/// The source that is written in this form.
 SceneSource scene_source(std::string_view written);
 
 /// A title with the text of that file.

@@ -12,13 +12,13 @@
 
 namespace ff::studies {
 
-/// Exact at right angles, where corners of neighbours have to be the same.
+/// Exact at right angles, where corners of neighbours have to coincide.
 double sine(double degrees);
 double cosine(double degrees);
 
 /// A surface of a View3D file as a line describes it.
 struct Vs3Surface {
-    char kind = 'S';  ///< S radiates, O is in the way, M masks a part of its base, N takes it away
+    char kind = 'S';  ///< S radiates, O is an obstacle, M masks a part of its base, N removes it
     std::uint64_t line = 0;
     long number = 0;
     long base = 0;      ///< number of the surface that it lies on; 0: none
@@ -37,7 +37,7 @@ struct Vs3Shape {
     /// then width and height of a rectangle, or x and y of each corner in its plane.
     std::vector<double> numbers;
 
-    /// How many numbers belong to it.
+    /// How many numbers a shape has.
     [[nodiscard]] std::size_t wanted() const;
     /// @pre all numbers are there
     [[nodiscard]] ConvexPolygon corners() const;
@@ -53,18 +53,19 @@ struct FitOnBase {
 /// Coordinates with two or three digits behind the point put parts off their bases by some 1e-3 of a wall's size.
 inline constexpr double most_off_base = 2e-3;
 
-/// Moves a part into the plane of its base, and cuts off what reaches beyond, as far as that counts as rounding. A part
-/// is convex, lies within its base, and faces the same way where it radiates, the other way where it faces the base.
-/// @param most_off  that counts as rounding, in units of length
+/// Moves a part into the plane of its base, and cuts off what reaches beyond it, as far as that counts as rounding. A
+/// part is convex, lies within its base, and faces the same way as the base where it radiates, the other way where it
+/// faces the base.
+/// @param most_off largest displacement that counts as rounding, in units of length
 FitOnBase fit_on_base(Vs3Surface& part, const Vs3Surface& base, double most_off);
 
 /// The largest distance between corners.
 double size_of(const ConvexPolygon& corners);
 
-/// Whether two parts of a base cover a part of each other.
+/// Whether two parts of a base overlap.
 bool overlap(const Vs3Surface& base, const Vs3Surface& a, const Vs3Surface& b);
 
-/// What parts that lie on it leave of a surface, in convex pieces.
+/// What remains of a surface beside the parts that lie on it, in convex pieces.
 std::vector<ConvexPolygon> left_of_base(const Vs3Surface& base, const std::vector<const Vs3Surface*>& parts);
 
 }  // namespace ff::studies

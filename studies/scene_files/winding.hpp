@@ -9,12 +9,12 @@
 
 namespace ff::studies {
 
-/// Surfaces of a face that face the other way than the rest of it, as where some of its triangles are wound the other
-/// way: neighbours run through their common edge in the same direction.
+/// Surfaces of a face that face the other way than the rest of it, for example because some of its triangles are wound
+/// the other way: then neighbours run through their common edge in the same direction.
 struct Winding {
     std::vector<std::size_t>
-        turned;                  ///< surfaces that are to be turned round, so that each part of a face is of one side
-    std::vector<int> undecided;  ///< faces of which as much faces one way as the other, and nothing tells which
+        turned;  ///< surfaces to reverse, so that all of each connected part of a face faces the same way
+    std::vector<int> undecided;  ///< faces half of whose area faces either way, so that nothing decides which is right
 };
 
 /// Among polygons that are joined by edges which exactly two of them share, those with the smaller total area are

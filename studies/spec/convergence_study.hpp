@@ -25,7 +25,7 @@ struct ConvergenceRequest {
 /// @throws UserError that names the key, which is the option's name, but no place
 StudySpec make_convergence_study(const ConvergenceRequest& request);
 
-/// The command that requests it; options of every run follow.
+/// The command that requests this study; options that every run has can be appended.
 std::string convergence_command(const ConvergenceRequest& request);
 
 }  // namespace ff::studies

@@ -19,8 +19,8 @@ struct RadiosityRequest {
     /// the last face.
     std::vector<double> emission;
     double tolerance = 1e-6;           ///< largest residual of the solvers, relative to the largest emission; in (0, 1)
-    std::uint64_t solver_trials = 10;  ///< most trials of a cell that the solvers are run on
-    std::uint64_t patch_trials = 0;    ///< most trials of a cell that also give systems between patches
+    std::uint64_t solver_trials = 10;  ///< largest number of trials of a cell that the solvers are run on
+    std::uint64_t patch_trials = 0;    ///< largest number of trials of a cell that also give systems between patches
     auto operator<=>(const RadiosityRequest&) const = default;
 };
 

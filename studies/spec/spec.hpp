@@ -84,7 +84,7 @@ struct Published {
     auto operator<=>(const Published&) const = default;
 };
 
-/// How to treat a method in a scene that it cannot be used in.
+/// What to do with a method in a scene in which it cannot be used.
 enum class Inapplicable {
     refuse,  ///< refuse the study
     skip,    ///< leave the method out there, with a warning

@@ -26,7 +26,7 @@ struct StoppingRule {
     auto operator<=>(const StoppingRule&) const = default;
 };
 
-/// With fewer, the pilot's spread tells too little, and no mean squared error could be promised.
+/// With fewer trials, the pilot's spread tells too little, and no mean squared error could be promised.
 inline constexpr std::uint64_t fewest_pilot_trials = 5;
 
 class TomlReader;

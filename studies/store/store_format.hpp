@@ -21,7 +21,7 @@ struct StoreFormat {
     int version;            ///< written by this program
     int oldest;             ///< oldest version that it reads
     const char* schema;     ///< SQL that makes its tables
-    const char* to_oldest;  ///< SQL that makes of these what all earlier versions have
+    const char* to_oldest;  ///< SQL that turns these into the tables that all earlier versions have
 };
 
 /// The value of a key; empty where there is none.

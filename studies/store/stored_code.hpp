@@ -5,7 +5,7 @@
 
 namespace ff::studies {
 
-// What a study has from outside, so that reports and merging need only the store.
+// Outside code and files that a study uses, kept so that reports and merging need only the store.
 
 /// Stores the files of points that a study names, and the declarations of its other outside samplers.
 void write_added_samplers(Database& database, const StudySpec& spec);

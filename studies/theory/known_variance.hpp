@@ -29,7 +29,7 @@ VarianceStatus known_variance(const Method& method, const Scene& scene, Quantity
 /// @param lattice  1 / rays of a trial; empty where nothing is counted
 bool too_few_hits(std::optional<double> lattice, std::optional<double> reference, std::size_t trials);
 
-/// What theory knows of a trial's estimate, as the rule for means wants it (stats/means/mean_test.hpp). How much one
+/// What theory knows of a trial's estimate, as the rule for means needs it (stats/means/mean_test.hpp). How much one
 /// part can move it: the largest value of an evaluation over the number of independent ones; infinite where values have
 /// no known bound, and for quantities other than form factors. What the evaluations of all trials may have missed:
 /// shadows, edges and peaks, for form factors.
@@ -37,8 +37,8 @@ bool too_few_hits(std::optional<double> lattice, std::optional<double> reference
 stats::KnownLimits known_limits(const Method& method, const Scene& scene, Subdivision subdivision, Quantity quantity,
                                 std::uint64_t evaluations, std::size_t trials);
 
-/// How far a method without bias may be off a reference, because both are computed: estimates and factors about 1 are
-/// right to 1e-15, exchange areas to 1e-18 of the squared extent (core/exact/exact.hpp).
+/// How far an unbiased method may differ from a reference because of rounding in both: estimates and factors about 1
+/// are right to 1e-15, exchange areas to 1e-18 of the squared extent (core/exact/exact.hpp).
 double rounding_of_bias(const Scene& scene, Quantity quantity);
 
 /// Whether a trial's hits are those of independent rays. From one undivided surface they are binomial; from patches

@@ -17,7 +17,7 @@ namespace ff::studies::gates {
 
 using studies::name;  // of enumerations that have names in files
 
-/// Numbers of bands, references and estimates: their fourth powers are doubles.
+/// Limits of bands, references and estimates: their fourth powers do not overflow.
 inline constexpr double largest_magnitude = 1e75;
 inline constexpr double smallest_magnitude = 1e-75;
 
@@ -37,7 +37,7 @@ enum class GateKind {
     slope,        ///< rate of the RMSE along a ladder of sizes
     efficiency,   ///< 1 / (variance * evaluations) over the baseline's
 
-    // For what another program reports.
+    // Kinds for what another program reports.
     equal,         ///< mean minus the mean in a second file
     std_error,     ///< spread of means between runs over the standard errors that they state
     distribution,  ///< distance between distributions: Kolmogorov's of values, Cohen's w of counts
@@ -53,16 +53,16 @@ enum class Combination {
 
 /// The assumption about the values of a gate that may be judged after every value.
 enum class Anytime {
-    no,       ///< it may not be judged so
+    no,       ///< the gate may not be judged after every value
     normal,   ///< independent and normal, e.g. means of many samples
     bounded,  ///< between two bounds, each with the same mean whatever came before
 };
 
 /// How looks at a commit share alpha. Nothing is assumed about the dependence of their data.
 enum class Spending {
-    halving,         ///< look k has 1 / 2^k of it; as many looks as there may be
-    pocock,          ///< `looks` of them, with about as much each [lan1983]
-    obrien_fleming,  ///< `looks` of them, with little for the first and most for the last [lan1983]
+    halving,         ///< look k gets 1 / 2^k of it; any number of looks
+    pocock,          ///< `looks` looks, with about the same share each [lan1983]
+    obrien_fleming,  ///< `looks` looks, with little for the first and most for the last [lan1983]
 };
 
 /// The reference of the effect.
@@ -110,7 +110,7 @@ struct Gate {
     std::optional<double> kurtosis;    ///< largest kurtosis of the samples behind a standard error
     Anytime anytime = Anytime::no;
     Band bounds;               ///< range of possible values, where one is assumed
-    double tightest_at = 100;  ///< values at which an anytime gate on normal ones sees most
+    double tightest_at = 100;  ///< number of values at which an anytime gate on normal values is most sensitive
     double detects = 1e-6;     ///< lost_rays with a band of zero: share of lost rays that has to be noticed
 
     [[nodiscard]] bool from_estimates() const { return !quantity.empty(); }
@@ -123,7 +123,7 @@ struct Spec {
     double pass_alpha = 0.05;  ///< risk of a pass, for each gate whose effect is at an end of its band or beyond
     double power = 0.9;        ///< probability that a gate passes where there is no effect
     Seed seed{1};
-    std::uint64_t looks = 3;  ///< times that an undecided gate is judged, each time with as many trials more
+    std::uint64_t looks = 3;  ///< how often an undecided gate is judged, each time with as many additional trials
     Spending spending = Spending::halving;  ///< how looks at a commit (--again) share alpha
     std::uint64_t max_trials = 100'000;     ///< most trials of a cell in one look
     std::vector<Gate> gates;

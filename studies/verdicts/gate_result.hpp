@@ -38,7 +38,7 @@ struct GateResult {
     std::vector<Comparison> comparisons;
     std::uint64_t looks = 1;        ///< look at which it was decided
     std::uint64_t evaluations = 0;  ///< rays and kernel values, including the pilot's
-    std::string note;               ///< what decided, or what is missing, in words
+    std::string note;               ///< why it was decided, or what is missing, in words
     std::size_t compared = 0;       ///< bins behind the verdict, where only the worst are among the comparisons
     std::vector<std::uint64_t> scores =
         {};  ///< counts of bins by standardised difference (reported_bins.hpp: count_scores)

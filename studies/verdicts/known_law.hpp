@@ -17,8 +17,8 @@ struct KnownLaw {
 double cumulative(const KnownLaw& law, double x);
 
 /// Reads "normal(0, 1)", "uniform(0, 1)" or "exponential(1)"; sets `problem`, in the form "(why). Suggestion.", where
-/// it is none of them, or where parameters are missing: if they were fitted to the tested values, critical values would
-/// change.
+/// it is not one of these, or where parameters are missing: if they were fitted to the tested values, critical values
+/// would change.
 std::optional<KnownLaw> parse_law(std::string_view text, std::string& problem);
 
 }  // namespace ff::studies::gates

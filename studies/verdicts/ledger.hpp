@@ -39,7 +39,7 @@ NextLook next_look(const Ledger& ledger, const LedgerLook& look);
 /// @param number  from 1 on    @pre no more than `looks`, unless alpha is halved
 double share_of_look(const Spec& spec, std::size_t number);
 
-/// The file at a look, with shares of alpha and pass_alpha.
+/// The bands file at a look, with shares of alpha and pass_alpha.
 /// @throws UserError where all looks are used up, or the share is too small
 Spec at_look(Spec spec, std::size_t number);
 

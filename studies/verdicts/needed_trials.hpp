@@ -18,11 +18,11 @@ namespace ff::studies::gates {
 std::optional<std::uint64_t> trials_for_mean(double half_width, double sigma, double skewness, double reference_se,
                                              const Levels& levels, std::size_t comparisons);
 
-/// Whether there is such a number, which is faster to decide.
+/// Whether such a number exists, which is faster to decide.
 bool can_decide_mean(double half_width, double sigma, double reference_se, const Levels& levels,
                      std::size_t comparisons);
 
-/// Runs of another program for a mean of theirs, whose standard error is as stated.
+/// Runs of another program that are needed for their mean, whose standard errors are as stated.
 /// @param error  of one run, >= 0
 std::optional<std::uint64_t> runs_for_mean(double half_width, double error, double reference_se, const Levels& levels,
                                            std::size_t comparisons);

@@ -49,7 +49,7 @@ Measurement measured_at(double value, const Levels& levels, const IntervalOf& in
             .minimum_detectable = minimum_detectable};
 }
 
-/// By the rule of every gate (stats/gates/gate_verdict.hpp); inconclusive without a measurement.
+/// The verdict by the rule of every gate (stats/gates/gate_verdict.hpp); inconclusive without a measurement.
 inline Verdict judge(const std::optional<Measurement>& measurement, const Band& band) {
     return measurement ? gate::judge(measurement->passing, measurement->failing, band) : Verdict::inconclusive;
 }

@@ -7,7 +7,7 @@
 namespace ff::test {
 
 /// The contract of a sampler, check by check. Each is run on the whole catalogue and on samplers broken on purpose, and
-/// nobody names a sampler in them: what is asked of one follows from its SamplerInfo.
+/// none of them names a sampler: what is required of one follows from its SamplerInfo.
 ///
 /// Statistical checks use the one statement that holds exactly for every randomised sampler, low-discrepancy or not: a
 /// point picked at random from the set of a random stream is uniform, and independent from stream to stream.

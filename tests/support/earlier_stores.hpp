@@ -2,8 +2,8 @@
 
 namespace ff::test {
 
-/// SQL that makes a file what version 1 of its format was, which had no checksums: what is changed afterwards is then
-/// looked at by itself.
+/// SQL that turns a file into version 1 of its format, which had no checksums, so that later changes are judged without
+/// them.
 inline constexpr const char* store_as_version_1 =
     "UPDATE meta SET value = '1' WHERE key = 'schema_version'; DELETE FROM meta WHERE key = 'checksum'; "
     "DELETE FROM context WHERE key = 'checksum'; ALTER TABLE units DROP COLUMN checksum";

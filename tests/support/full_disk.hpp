@@ -6,7 +6,7 @@
 
 namespace ff::test {
 
-/// While it lives, no file of this process can grow: its disk is full.
+/// During its lifetime no file of this process can grow: its disk is full.
 class FullDisk {
   public:
     FullDisk() {

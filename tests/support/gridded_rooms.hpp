@@ -8,8 +8,8 @@
 
 namespace ff::test {
 
-/// The inside of a box of 4 x 1 x 2 that is no `empty_box`, so that nothing is traced or unfolded by what is known of
-/// one. Every face has a grid of its own, columns and rows unlike where they can be confused.
+/// The inside of a box of 4 x 1 x 2 that is not an `empty_box`, so that nothing is traced or unfolded by special rules
+/// for one. Every face has a grid of its own, with different numbers of columns and rows where they could be confused.
 inline Scene gridded_room() {
     Scene room = make_box(4, 1, 2);
     room.empty_box.reset();

@@ -11,8 +11,8 @@
 
 namespace ff::test {
 
-/// What VisiblePolygon finds, one place and one edge at a time, with the arc tangent of the C library: the oracle of
-/// its tests.
+/// Does what VisiblePolygon does, one place and one edge at a time, with the arc tangent of the C library: the oracle
+/// of its tests.
 class PlainVisiblePolygon {
   public:
     /// @pre all surfaces are parallelograms or triangles, and outlive this

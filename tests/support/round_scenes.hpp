@@ -24,7 +24,7 @@ inline Surface sphere(const Eigen::Vector3d& centre, double radius, Facing facin
     return {SphereZone{centre, tilted, radius, low, high, facing}, Eigen::Vector3d::Zero(), 0};
 }
 
-/// A face of each surface, in order.
+/// A scene in which each surface is a face, in order.
 inline Scene faces_of(std::vector<Surface> surfaces, bool closed) {
     Scene scene;
     scene.closed = closed;

@@ -12,7 +12,7 @@
 
 namespace ff::test {
 
-/// An empty folder, removed with all that is in it.
+/// An empty folder, removed with everything in it.
 class TemporaryFolder {
   public:
     TemporaryFolder();
@@ -57,10 +57,10 @@ studies::StudyPlan plan_of(std::string_view text);
 /// The plan of a study file, in a scene of this text (TOML).
 studies::StudyPlan plan_in(std::string_view scene, std::string_view text);
 
-/// Runs a plan from its beginning, or on from where the file stopped.
+/// Runs a plan from its beginning, or from where the file stopped.
 studies::Store run(const studies::StudyPlan& plan, const std::filesystem::path& file = in_memory, unsigned threads = 1);
 
-/// What a direct estimate of a trial is; faces count from 1. Hits are rounded to whole numbers.
+/// A made-up direct estimate of a trial; faces count from 1. Hits are rounded to whole numbers.
 using Estimate = std::function<double(std::size_t cell, std::uint64_t trial, int from, int to)>;
 
 /// A complete store with made-up observations.

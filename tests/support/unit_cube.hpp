@@ -8,7 +8,7 @@
 
 namespace ff::test {
 
-/// A parallelogram of no face that radiates to the side of u x v.
+/// A parallelogram that belongs to no face and radiates to the side of u x v.
 inline Surface wall_at(const Eigen::Vector3d& corner, const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
     return {Parallelogram{corner, u, v}, u.cross(v).normalized(), no_face};
 }

@@ -9,7 +9,7 @@
 
 namespace ff::studies {
 
-/// What ffstudy-validate says of what was measured, in Markdown; both begin with how it was measured.
+/// The reports of ffstudy-validate in Markdown; both begin with how it was measured.
 struct Pages {
     std::string summary;  ///< a row for each table: its claims, and which is nearest to its limit (docs/validation.md)
     std::string tables;   ///< every rate, with what it is about

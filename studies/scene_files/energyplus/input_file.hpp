@@ -9,7 +9,8 @@
 
 namespace ff::studies::energyplus {
 
-/// What follows the fields of a class: rectangles have an origin and sizes instead of vertices, and are refused.
+/// The kind of data after the fields of a class: rectangles have an origin and sizes instead of vertices, and are
+/// refused.
 enum class Shape { none, polygon, rectangle };
 
 /// A class of objects, with the names of its fields in the order of the IDF format.
@@ -36,7 +37,7 @@ struct Object {
 
     /// The text of a field; empty where there is none.
     [[nodiscard]] const std::string& text(std::string_view field) const;
-    /// The same in small letters, in which names are compared.
+    /// The same in lower case, in which names are compared.
     [[nodiscard]] std::string small_text(std::string_view field) const;
     /// The line of a field; that of the object where there is none.
     [[nodiscard]] std::uint64_t line_of(std::string_view field) const;
@@ -48,18 +49,18 @@ struct Object {
 /// @param what  names the field in messages  @throws UserError where it is not a finite number
 double number_of_field(std::string_view file, const Field& field, std::string_view what);
 
-/// What is said where an IDF file has no version.
+/// The remark about an IDF file without a version.
 inline constexpr std::string_view without_version =
     "no Version object: fields are taken as those of version 9.6 and later";
 
-/// The class of that name, in letters of either case; null for one that does not matter here.
+/// The class of that name, in upper or lower case; null for one that does not matter here.
 const Class* class_named(std::string_view name);
 
 /// The bytes of an IDF file with ? for those of comments that are not ASCII: older files have degree signs in other
 /// encodings than UTF-8.
 std::string with_ascii_comments(std::string bytes);
 
-// Each reads a whole file, whose name is for messages.
+// Each function reads a whole file, whose name is for messages.
 // @throws UserError "file:line: problem (why). Suggestion."
 
 /// The format with commas and semicolons, in which a field is known by its place. Version 9.0 took one out of windows,

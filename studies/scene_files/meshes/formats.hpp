@@ -6,21 +6,21 @@
 
 namespace ff::studies::meshes {
 
-/// What a mesh file is by its content.
+/// The kind of a mesh file, by its content.
 struct MeshKind {
     std::string_view name;       ///< "a PLY file"
     std::string_view extension;  ///< extension that its name should have
-    /// Reads all bytes of the file of that name; null where another library does. @throws UserError
+    /// Reads all bytes of the file with that name; null where another library reads it. @throws UserError
     SurfaceMesh (*read)(std::string_view file, std::string_view bytes) = nullptr;
 };
 
 /// Null where the content of a file does not tell.
 const MeshKind* mesh_kind(std::string_view bytes);
 
-/// What a file with that extension should be; null where no reader of the project's own has it.
+/// The kind that a file with that extension should have; null where none of the project's own readers has it.
 const MeshKind* mesh_kind_named(std::string_view extension);
 
-// Each reads the bytes of a file, whose name is for messages.
+// Each function reads the bytes of a file, whose name is for messages.
 // @throws UserError "file: place: problem (why). Suggestion."
 
 /// VTK's older format: polygons and unstructured grids, in text or binary. Groups are the values of the first array of
@@ -46,8 +46,8 @@ SurfaceMesh read_ply(std::string_view file, std::string_view bytes);
 bool is_off(std::string_view bytes);
 SurfaceMesh read_off(std::string_view file, std::string_view bytes);
 
-/// Looks for what moves, packs or repeats polygons and is unknown to the library that reads glTF, which would pass over
-/// it in silence: extensions, coordinates of whole numbers, and shapes that morph or have a skin.
+/// Looks for features that move, pack or repeat polygons and that the library which reads glTF would silently ignore:
+/// extensions, coordinates of whole numbers, and shapes that morph or have a skin.
 /// @param bytes  of a .gltf or .glb file  @throws UserError "file: place: problem (why). Suggestion."
 void expect_plain_gltf(std::string_view file, std::string_view bytes);
 

@@ -11,10 +11,10 @@
 
 namespace ff::studies::meshes {
 
-/// The elements of surfaces, until it is known how many each physical surface has: of several that an element is in,
+/// Collects the elements of surfaces until it is known how many each physical surface has: if an element is in several,
 /// the one with the fewest elements is its face, so that "all walls" beside "floor" leaves the floor a face. Version 4
-/// of the format lists the physical surfaces of a surface, version 2 repeats the element for each; both end up here.
-/// An element that is in physical surfaces of either direction is both sides of a thin plate.
+/// of the format lists the physical surfaces of a surface, version 2 repeats the element for each; both end up here. An
+/// element that is in physical surfaces of either direction is both sides of a thin plate.
 class GmshSurfaces {
   public:
     using Nodes = std::vector<std::int64_t>;
@@ -22,7 +22,7 @@ class GmshSurfaces {
     void set_name(std::int64_t physical, std::string name) { names_.emplace(physical, std::move(name)); }
 
     /// @param number    of the element, for messages
-    /// @param physical  tags of its physical surfaces, below 0 where it is turned round; 0: none
+    /// @param physical tags of its physical surfaces, negative where it is reversed; 0: none
     /// @param surface   its tag; 0: unknown
     /// @param corners   points of the mesh
     void add(std::int64_t number, const std::vector<std::int64_t>& physical, std::int64_t surface,

@@ -23,7 +23,7 @@ struct NumberType {
     [[nodiscard]] bool is_whole() const { return kind != Kind::real; }
 };
 
-/// The names of a type of numbers, by format: words of which each is one.
+/// The names of a type of numbers in each format: lists of words, each of which is a name.
 struct NumberTypeNames {
     NumberType type;
     std::string_view ply;
@@ -37,16 +37,16 @@ std::optional<NumberType> number_type_named(std::string_view name, std::string_v
 inline constexpr NumberType int32_type{NumberType::Kind::integer, 4};
 inline constexpr NumberType float64_type{NumberType::Kind::real, 8};
 
-/// The bytes of a mesh file, or of a part of it, from front to back. What is asked for and not there is a UserError,
-/// and no storage is taken for numbers for which the rest has no room.
+/// The bytes of a mesh file, or of a part of it, from front to back. Missing data is a UserError, and no storage is
+/// allocated for more numbers than the rest of the file can hold.
 class MeshInput {
   public:
     /// @param name  of the file for messages, which have the line too, or the byte where numbers are binary
     MeshInput(std::string_view name, std::string_view bytes) : name_(name), bytes_(bytes) {}
-    /// A part that a file holds in another form. @param name  of file and part, which is all that messages have
+    /// A part of a file that is stored in another form. @param name of file and part, which is all that messages state
     static MeshInput part(std::string_view name, std::string_view bytes, Encoding encoding);
 
-    /// From here on, numbers are so encoded; lines and words can be read all the same.
+    /// From here on, numbers are encoded in this way; lines and words can still be read.
     void set_encoding(Encoding encoding) { encoding_ = encoding; }
     [[nodiscard]] Encoding encoding() const { return encoding_; }
 
@@ -55,14 +55,14 @@ class MeshInput {
 
     /// Whether nothing follows but blanks.
     [[nodiscard]] bool at_end();
-    /// The rest of the line, without its end, which is passed over.
+    /// The rest of the line, without its end, which is skipped.
     std::string_view line();
     std::string_view word();
     /// The word that comes next; empty at the end.
     [[nodiscard]] std::string_view next_word() const;
     /// A word that is a whole number from 0 on.
     std::uint64_t count();
-    /// Passes over everything up to and including a text. @throws UserError where it does not come
+    /// Skips everything up to and including a text. @throws UserError where the text does not occur
     void skip_past(std::string_view text);
     void skip_bytes(std::size_t count);
     std::string_view take_bytes(std::size_t count);
@@ -99,7 +99,7 @@ class MeshInput {
     /// @param problem the problem of a word that is not such a number
     template <class Number>
     Number number_in_text(std::string_view problem);
-    /// The bytes of a binary number, those of least value first.
+    /// The bytes of a binary number, least significant first.
     std::array<char, 8> binary(NumberType type);
 };
 

@@ -12,13 +12,13 @@
 
 namespace ff::studies::meshes {
 
-/// A comment of OBJ files that begins so: what is to be said of a mesh that was converted.
+/// The beginning of a comment in OBJ files that holds a note on a converted mesh.
 inline constexpr std::string_view note_on_mesh = "note on the mesh: ";
 
 /// The faces of a mesh without groups.
 inline constexpr std::string_view unnamed_group = "mesh";
 
-/// A name as a word of an OBJ file: blanks, control characters, | and what OBJ files mean something by become _.
+/// A name as a word of an OBJ file: blanks, control characters, | and characters with a meaning in OBJ files become _.
 std::string as_word(std::string_view name);
 
 /// The polygons of a mesh file, in groups.
@@ -36,7 +36,7 @@ class SurfaceMesh {
     void add_polygon(std::string_view group, std::span<const std::int64_t> corners, std::string_view cell);
 
     void leave_out_volume_cell() { ++volume_cells_; }
-    /// Adds to what is said of the mesh.
+    /// Adds a note on the mesh.
     void remark(std::string_view text);
 
     /// The text of an OBJ file; what no polygon uses is left out. @throws UserError where there is no polygon

@@ -36,18 +36,18 @@ struct VtkArray {
     std::vector<std::string> texts;  ///< empty where it has numbers
 
     [[nodiscard]] std::size_t size() const { return texts.empty() ? numbers.size() : texts.size(); }
-    /// What it calls the face of a cell: name_number, or the text.
+    /// The name that it gives the face of a cell: name_number, or the text.
     [[nodiscard]] std::string face_of(std::size_t cell) const;
 };
 
-/// Arrays of cells, sorted by what they are good for.
+/// Arrays of cells, sorted by their use.
 struct VtkArrays {
     std::vector<VtkArray> usable;      ///< arrays that may distinguish faces
     std::vector<std::string> others;   ///< names of those that cannot: of fractions, or several numbers for each cell
     std::vector<std::int64_t> hidden;  ///< vtkGhostType of each cell; empty: none is hidden
 
-    /// Adds an array; nothing of those that VTK keeps for itself, whose names begin with vtk.
-    /// @param read  its numbers, where they are needed  @return whether they were read
+    /// Adds an array, except those that VTK keeps for itself, whose names begin with vtk.
+    /// @param read reads its numbers, where they are needed @return whether they were read
     bool add(const std::string& name, std::optional<NumberType> type, std::uint64_t components,
              const std::function<std::vector<std::int64_t>()>& read);
 };

@@ -14,7 +14,7 @@ struct Packing {
     bool is_compressed = false;  ///< compressed by zlib, in blocks
 };
 
-/// How bytes stand in a file: in base64 or as they are.
+/// How bytes are stored in a file: in base64 or raw.
 enum class ByteForm { raw, base64 };
 
 /// The bytes of an array, behind the header that tells how many there are.

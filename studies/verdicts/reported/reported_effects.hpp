@@ -17,7 +17,7 @@ struct BinComparison {
     Bins bins;
     BinEffects effects;
     std::size_t empty = 0;      ///< bins without any sample
-    bool contradicted = false;  ///< runs scatter otherwise than the verdict would have to assume: there is none
+    bool contradicted = false;  ///< runs do not scatter as a verdict would have to assume: there is none
     std::string note;
 
     /// Adds the ratio of a bin, whose band is the gate's.
@@ -30,7 +30,7 @@ struct BinComparison {
     }
 };
 
-/// Rate at which runs that keep an assumption are said to contradict it.
+/// Rate at which runs that satisfy an assumption are said to contradict it.
 inline constexpr double false_alarm_of_scatter = 1e-3;
 
 /// The mean of all runs of a bin with its standard error: by what the runs state, or by their spread where they are

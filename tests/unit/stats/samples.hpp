@@ -8,7 +8,7 @@
 
 namespace ff::test {
 
-/// What numbers from other programs are of, in the comments of the tests that compare with them.
+/// The samples that numbers from other programs refer to in the comments of the tests that compare with them.
 inline constexpr std::array eight_values{2.1, 3.4, 1.9, 5.6, 4.4, 2.8, 9.7, 3.3};
 
 /// `n` values of a distribution of the standard library, from an engine that the caller seeds.

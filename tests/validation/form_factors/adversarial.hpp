@@ -34,8 +34,8 @@ struct AdversarialScene {
 /// Draws obstacles whose sizes and distances from a surface are spread over five decades, anywhere, tilted or not.
 /// Every line from the far surface through an obstacle meets the near one, so that the hidden exchange is that between
 /// the far surface and the obstacle, found by contour integrals (core/formulas/polygon_exchange.hpp), or for a sphere
-/// by Gauss's rule over the far surface. Half of all scenes are of any size over twelve decades, and a quarter lie up
-/// to a million of their sizes from the origin.
+/// by Gauss's rule over the far surface. The sizes of half of all scenes vary over twelve decades, and a quarter lie up
+/// to a million times their size from the origin.
 AdversarialScene draw_adversarial(Trap trap, stats::Draws& draws);
 
 }  // namespace ff::studies::form_factors

@@ -34,7 +34,7 @@ struct FormFactorCoverage {
     std::size_t exact_missed = 0;  ///< those whose bound did not hold
     std::size_t out_of_tolerance = 0;  ///< runs that missed the tolerance
 
-    /// Those that were measured, for reports.
+    /// The tables that were measured, for reports.
     [[nodiscard]] std::vector<const RateTable*> tables() const;
     [[nodiscard]] std::size_t contradictions() const;  ///< rates below the level, and bounds that did not hold
 };

@@ -24,7 +24,7 @@ struct FacetCoverageOptions {
     FacetScenes scenes = FacetScenes::large;
 };
 
-/// Small scenes and coarse references, which take seconds.
+/// A request with small scenes and coarse references, which takes seconds.
 FacetCoverageOptions small_facets();
 
 /// Entries that one method gave, or sums of rows.
@@ -57,8 +57,9 @@ enum class ClaimVerdict { holds, fails, open };
 ClaimVerdict verdict_of(const MeasuredRate& rate, double level);
 
 /// Computes the matrices with many seeds at 1e-4 and 1e-3, and by rays at 1e-3, and compares entries with references
-/// of 1e-6. What lies outside of its interval and of the reference's is compared again, with a reference of its own of
-/// 32 randomisations at level 0.999: few of the first ones miss, but all that miss seem to be errors of entries.
+/// of 1e-6. Entries that lie outside both their own interval and the reference's are compared again, each with a new
+/// reference of 32 randomisations at level 0.999: few of the first references miss, but all that miss look like errors
+/// of entries.
 FacetCoverage measure_facet_coverage(const FacetCoverageOptions& options);
 
 }  // namespace ff::studies::form_factors

@@ -10,7 +10,7 @@
 
 namespace ff::studies::gates {
 
-/// Whether controls are caught and sound methods are not.
+/// How often controls are caught, and sound methods are not.
 struct Detection {
     RateTable caught;                  ///< how often each control fails its gate
     RateTable sound;                   ///< how often its sound counterpart fails the same gate, and passes it

@@ -26,7 +26,7 @@ Law zero_inflated_law();
 
 /// Counts whose variance is far above their mean: Poisson counts with a squared normal mean.
 Law clustered_counts_law(double mean);
-/// With infinite variance (Pareto of this index), and without even a mean.
+/// A law with infinite variance (Pareto with this index), and one without even a mean.
 Law pareto_law(double index);
 Law cauchy_law();
 Law normal_law();

@@ -19,8 +19,8 @@ struct FlowCoverage {
 
 /// Computes the flows of each scene of the catalogue all of whose form factors are known, and some of which are
 /// sampled, with many seeds, and those of the cube, an annulus and a furnace (known_flows.hpp). Faces have different
-/// emissivities and temperatures; every third is adiabatic. Exact flows are those of the exact form factors; of the
-/// furnace limits have to hold the interval of its reference.
+/// emissivities and temperatures; every third is adiabatic. Exact flows are those of the exact form factors; the limits
+/// of the furnace have to contain the interval of its reference.
 FlowCoverage measure_flow_coverage(const form_factors::FormFactorCoverageOptions& options);
 
 }  // namespace ff::studies::heat

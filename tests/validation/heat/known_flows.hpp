@@ -27,7 +27,7 @@ Materials furnace_materials();
 /// form factors (tests/references/furnace_walks.hpp says of what kind, and how they are repeated).
 Bounds furnace_power();
 
-/// The walks that it is from, and those of them that end on the roof: seeds 1 to 4, 250 000 000 each.
+/// The walks behind that value, and the number of them that end on the roof: seeds 1 to 4, 250 000 000 each.
 stats::Proportion furnace_walks();
 
 }  // namespace ff::studies::heat

@@ -16,7 +16,7 @@ RadiositySystem lit_box();
 /// reciprocal.
 Eigen::MatrixXd shot_factors(std::uint64_t rays, std::uint64_t seed);
 
-/// Those of the upper triangle, and the lower one by reciprocity: rows do not sum to 1. @pre equal areas
+/// The factors of the upper triangle, and the lower triangle by reciprocity: rows do not sum to 1. @pre equal areas
 Eigen::MatrixXd mirrored(const Eigen::MatrixXd& factors);
 
 }  // namespace ff::test

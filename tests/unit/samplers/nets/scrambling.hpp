@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-// Does one scrambling do to estimates what another does? For a few integrands, smooth and not: both means are right,
-// and both variances agree.
+// Checks whether two scramblings have the same effect on estimates. For a few integrands, smooth and not: both means
+// are right, and both variances agree.
 
 namespace ff::test {
 

@@ -4,7 +4,8 @@
 
 namespace ff::test {
 
-/// An L-shaped room: nothing is congruent for the audit, walls hide walls, and its corners are rounded to centimetres.
+/// An L-shaped room: the audit knows no congruent pairs in it, walls hide walls, and its corners are rounded to
+/// centimetres.
 inline const std::string l_room =
     R"(room.obj\n# closed\nv 0 0 0\nv 4.27 0 0\nv 4.27 2.13 0\nv 2.13 2.13 0\nv 2.13 4.27 0)"
     R"(\nv 0 4.27 0\nv 0 0 3.05\nv 4.27 0 3.05\nv 4.27 2.13 3.05\nv 2.13 2.13 3.05)"

@@ -29,7 +29,7 @@ inline samplers::PointSet set_of(const Rows& rows) {
     return set;
 }
 
-/// A sampler of any size that makes its sets so.
+/// A sampler of any size that makes its sets in this way.
 inline std::unique_ptr<samplers::AddedSampler> sampler_of(const std::string& name, const MakeRows& rows) {
     const samplers::MakeSet make = [rows](const samplers::SetRequest& request, samplers::PointSet& set) {
         std::mt19937_64 random(request.seed);
@@ -88,7 +88,7 @@ inline Rows net_rows(std::size_t n, std::size_t d, std::mt19937_64& random, std:
     return rows;
 }
 
-/// The checks of this sampler with these verdict and name, or of any name.
+/// The checks of this sampler that have this verdict and, if it is given, this name.
 inline std::vector<std::string> found(const SamplerChecks& checks, SamplerVerdict verdict,
                                       const std::string& name = {}) {
     std::vector<std::string> result;

@@ -13,7 +13,7 @@ struct MeshSample {
 };
 
 /// A room of 4 x 3 x 2 whose floor and roof, south and north, and east and west are groups, in every form that the
-/// project's own readers know. All have a line; those that may, a hexahedron too.
+/// project's own readers know. All contain a line and, where the format allows it, a hexahedron.
 std::vector<MeshSample> mesh_samples();
 
 }  // namespace ff::studies::meshes

@@ -51,7 +51,7 @@ struct Numbers {
     }
 };
 
-/// Line, walls and, in grids, the hexahedron.
+/// The line, the walls and, in grids, the hexahedron.
 inline std::vector<Cell> cells_of(bool is_grid) {
     std::vector<Cell> cells{room_line};
     cells.insert(cells.end(), room_walls.begin(), room_walls.end());
@@ -91,7 +91,7 @@ std::string stl_file(Encoding encoding);
 
 enum class PlyPolygons { after_points, before_points, strips };
 
-/// With properties and elements that mean nothing here.
+/// A file with properties and elements that mean nothing here.
 std::string ply_file(Encoding encoding, PlyPolygons polygons);
 
 /// @param keyword  with what follows it  @param after_points  normals, colours and such
