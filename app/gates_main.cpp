@@ -17,7 +17,7 @@ void add_commands(ProgramDefinition& program) {
 
 }  // namespace
 
-// What goes wrong while an error is told ends in the handler that `guarded` sets.
+// A failure while an error is being reported ends in the handler that `guarded` sets.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
     return run_program({argv, static_cast<std::size_t>(argc)}, "Gates on what Monte Carlo codes report.", add_commands);

@@ -1,5 +1,5 @@
-// What our tracer adds to Embree: the same rays through `Tracer::shoot` and through a loop of nothing but
-// rtcIntersect8, patch by patch in turn, so that whatever else the machine does meets both.
+// The cost that our tracer adds to Embree: the same rays through `Tracer::shoot` and through a bare loop of
+// rtcIntersect8, patch by patch in turn, so that other load on the machine affects both.
 
 #include "core/geometry/box.hpp"
 #include "core/tracing/embree_version.hpp"

@@ -1,4 +1,4 @@
-// The field's methods beside rays, on the same scenes: what a trial costs, and the error that a second of it buys.
+// Other methods of the field compared with rays, on the same scenes: the cost of a trial, and the error after a second.
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/estimators/estimator.hpp"

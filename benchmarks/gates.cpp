@@ -8,7 +8,7 @@
 
 namespace {
 
-/// What a gate in a unit test costs beside its trials, here skewed ones, with the bias that makes it pass or fail.
+/// The cost of a gate in a unit test apart from its trials, here skewed ones, with a bias that makes it pass or fail.
 void gate_of_mean(benchmark::State& state, double bias) {
     std::mt19937_64 engine(1);
     std::gamma_distribution<double> gamma(4);

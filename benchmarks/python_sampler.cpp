@@ -10,9 +10,9 @@
 #include <string>
 #include <thread>
 
-// A sampler that is a Python function, all in all, beside the making of its arrays alone: the random points of NumPy,
-// the cheapest that there are, and the lattice of docs/python.md. Then one that returns the same array again and again:
-// what is left are calling, checking and copying.
+// The total time of a sampler that is a Python function, and that of making its arrays alone: the random points of
+// NumPy, the cheapest ones, and the lattice of docs/python.md. Then a sampler that always returns the same array, which
+// leaves only calling, checking and copying.
 
 namespace {
 

@@ -27,7 +27,7 @@ Completions commands(const ProgramModel& program) {
     return completions;
 }
 
-/// What an option or argument takes, each behind `before`: "--format=csv," where a list has been begun.
+/// The values that an option or argument takes, each after `before`: "--format=csv," where a list has been begun.
 Completions values(const OptionModel& option, const std::string& before, std::string_view begun,
                    const NamesOfType& names) {
     const auto comma = option.delimiter == '\0' ? std::string_view::npos : begun.rfind(option.delimiter);
@@ -60,7 +60,7 @@ Completions options(const CommandModel& command, Words given) {
     return completions;
 }
 
-/// What stands behind a command. @param given words between it and the last one
+/// Completes the words after a command. @param given words between it and the last one
 Completions of_command(const ProgramModel& program, const CommandModel& command, Words given, std::string_view last,
                        const NamesOfType& names) {
     const OptionModel* pending = nullptr;

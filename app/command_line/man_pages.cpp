@@ -10,7 +10,7 @@
 namespace ff::app {
 namespace {
 
-/// Text as man(7) takes it: no escape, dash or request by accident.
+/// Text for man(7): without accidental escapes, dashes or requests.
 std::string plain(std::string_view text) {
     std::string safe;
     for (const char letter : text) {

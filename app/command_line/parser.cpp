@@ -65,7 +65,7 @@ void add_command(CLI::App& app, const CommandDefinition& definition) {
         set_rules(*options.back(), option.rules);
         name_type_of_argument(*options.back());
     }
-    // Only now are all options there that others name.
+    // Only now do all options exist that others name.
     for (std::size_t i = 0; i < options.size(); ++i) {
         for (const std::string& name : definition.options[i].rules.needs) options[i]->needs(command->get_option(name));
         for (const std::string& name : definition.options[i].rules.excludes)
@@ -109,7 +109,7 @@ std::vector<const CLI::Option*> in_order(const std::set<CLI::Option*>& options, 
     return ordered;
 }
 
-/// What --help says behind the names of an option: " DIR Needs: --out"
+/// What --help says after the names of an option: " DIR Needs: --out"
 std::string notes_of(const CLI::Option& option, const CLI::App& command, const CLI::Formatter& formatter) {
     std::string notes = formatter.make_option_opts(&option);
     notes.resize(std::min({notes.size(), notes.find(" Needs:"), notes.find(" Excludes:")}));
@@ -183,7 +183,7 @@ const CLI::App& given_command(const CLI::App& app) {
     return commands.empty() ? app : *commands.front();
 }
 
-/// What the library says of options that exclude each other, but of the first two.
+/// The library's message about options that exclude each other, but only about the first two of them.
 std::string exclusion(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options()) {
         for (const CLI::Option* other : in_order(option->get_excludes(), command)) {

@@ -24,7 +24,8 @@ std::vector<std::string> long_names_of_options(const CommandModel& command) {
     return names;
 }
 
-/// A file where a command is wanted, with the command that takes it; empty where the word names no file of ours.
+/// The message for a file in place of a command, with the command that takes it; empty where the word does not name one
+/// of our files.
 std::string file_as_command(const std::string& word) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(word, error)) return {};

@@ -44,7 +44,7 @@ struct FullCheckCommand : CheckCommand {
     OutsideOptions outside;
 };
 
-/// What all ways of running gates need.
+/// Data that all ways of running gates need.
 struct Check {
     const CheckCommand& command;
     Spec spec;
@@ -74,7 +74,7 @@ Check begin(const FullCheckCommand& command) {
     return check;
 }
 
-/// All gates, so that what is wrong with one is found before any is run.
+/// Prepares all gates, so that a fault of any is found before the first is run.
 std::vector<Plan> prepare(const Check& check, GatePurpose purpose) {
     std::vector<Plan> plans;
     for (std::size_t gate = 0; gate < check.spec.gates.size(); ++gate) {
@@ -104,7 +104,7 @@ double seconds_per_trial(double seconds, unsigned threads, std::uint64_t trials)
     return seconds * threads / static_cast<double>(std::max<std::uint64_t>(1, trials));
 }
 
-/// Speed beside the baseline's: it depends on the machine, so it is told and not judged.
+/// Speed compared with the baseline's: it depends on the machine, so it is reported but not judged.
 std::string speed_note(const Plan& gate, double seconds, unsigned threads, std::uint64_t looks) {
     if (gate.stored_seconds_per_trial == 0) return {};
     const std::uint64_t trials = looks * std::accumulate(gate.trials.begin(), gate.trials.end(), std::uint64_t{0});
@@ -170,7 +170,7 @@ std::vector<studies::gates::Verdict> verdicts_with_seed(Check check, std::uint64
     return verdicts;
 }
 
-/// Every seed from the file's on, each a check of its own; several at once, each on one thread.
+/// Runs a separate check for each seed, from the file's seed on; several at once, each on one thread.
 ExitCode sweep(Check& check, const CheckSession& session) {
     const auto out = session.out();
     const std::uint64_t seeds = check.command.seed_sweep;

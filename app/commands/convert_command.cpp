@@ -52,7 +52,7 @@ const SceneFormat& format_of(const std::filesystem::path& file) {
                     file.string()));
 }
 
-/// Names that OBJ and View3D take for nothing else: without blanks and special characters, and not that of occluders.
+/// Names with no other meaning in OBJ and View3D: without blanks and special characters, and not the name of occluders.
 void make_words_of_names(Scene& scene) {
     std::size_t changed = 0;
     for (std::string& face : scene.faces) {

@@ -99,7 +99,8 @@ void hand_on_files(OutputFolder& folder, const studies::form_factors::KeptMatrix
     std::vector<std::optional<double>> emissivities;
     for (std::size_t face = 0; face < said.size(); ++face)
         emissivities.push_back(studies::heat::said_emissivity(said, face));
-    if (!emissivities.empty()) emissivities.resize(kept.scene.faces.size());  // that of the surroundings is not said
+    if (!emissivities.empty())
+        emissivities.resize(kept.scene.faces.size());  // the emissivity of the surroundings is not given
     const auto handed = reports::hand_on(kept.scene, kept.matrix, std::move(emissivities));
     for (const reports::ProgramFile& file : reports::files_of_formats(formats, kept.scene))
         folder.write(std::string(file.name), [&](std::ostream& out) { file.write(out, handed); });
@@ -153,14 +154,14 @@ void show(studies::form_factors::KeptMatrix& kept, const FormFactorsCommand& com
     const reports::FormFactorReport report{kept.scene, kept.request, kept.matrix};
     kept.warnings = reports::form_factor_warnings(report);
     for (const std::string& warning : kept.warnings) say("warning: {}\n", warning);
-    // Before anything can fail that would lose it.
+    // Done before any failure could lose it.
     if (!command.quiet) fmt::print("{}", reports::form_factors_text(report, style_of_stdout()));
     if (out == nullptr) return;
     write_matrix_files(*out, kept, command.text);
     hand_on_files(*out, kept, command.formats);
 }
 
-/// The folder to write to, if one is given, once it is certain that it can be.
+/// The folder to write to, if one is given, after checking that it can be written.
 std::unique_ptr<OutputFolder> open_matrix_folder(const FormFactorsCommand& command, const Scene& scene) {
     std::vector<std::string> names = matrix_files;
     for (const reports::ProgramFile& file : reports::files_of_formats(command.formats, scene))

@@ -40,7 +40,7 @@ struct HeatCommand {
     bool gebhart = false;                       ///< Gebhart factors as well
 };
 
-/// Form factors of an earlier run. @throws UserError also where their intervals hold one by one only
+/// Form factors of an earlier run. @throws UserError also where their intervals hold only one by one
 studies::form_factors::KeptMatrix load_of_all_at_once(const FormFactorsCommand& command) {
     auto kept = load_kept_form_factors(command);
     expect_nothing_dropped(kept, "ffstudy heat");
@@ -59,7 +59,7 @@ studies::form_factors::KeptMatrix load_of_all_at_once(const FormFactorsCommand& 
     return kept;
 }
 
-/// Either option, or what it is by default.
+/// The value of the option, or its default.
 studies::heat::FlowTolerance flow_tolerance_of(const HeatCommand& command, const studies::heat::Materials& materials) {
     const bool samples_flows = command.tolerance_of == "flux";
     if (samples_flows && command.flow_tolerance)

@@ -39,7 +39,7 @@ struct ListCommand {
     bool json = false;
 };
 
-/// What `explain` says of one thing of that name.
+/// What `explain` says about one thing with that name.
 struct Explanation {
     std::string kind;
     std::string name;
@@ -121,7 +121,7 @@ std::optional<Scene> find_scene(const std::string& name) {
                : std::nullopt;
 }
 
-/// Everything of that name. @throws UserError where there is nothing
+/// Everything with that name. @throws UserError where there is nothing
 std::vector<Explanation> explanations_of(const std::string& name, const std::optional<Scene>& scene) {
     if (studies::names_point_file(name) || studies::names_command(name) || samplers::find_added(name) != nullptr)
         return {explanation(studies::sampler_of_user(name).info)};
@@ -159,7 +159,7 @@ std::vector<std::string> names_of_kind(const ListedKind& kind) {
     return names;
 }
 
-/// What there is of each kind: how many, and the first few names.
+/// For each kind, the number of things and the first few names.
 void print_kinds() {
     constexpr std::size_t shown = 3;
     for (const ListedKind& kind : listed_kinds()) {

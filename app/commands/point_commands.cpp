@@ -86,8 +86,8 @@ ExitCode points(const PointsCommand& command) {
     return ExitCode::passed;
 }
 
-/// Failed where a sampler breaks the contract or a promise, inconclusive where trials are too few, or where its points
-/// are nearly a structure.
+/// Failed where a sampler breaks the contract or a promise; inconclusive where trials are too few, or where its points
+/// nearly have a structure.
 ExitCode check_sampler(const CheckSamplerCommand& command) {
     const auto& sampler = sampler_of(command.sampler, command.outside);
     studies::SamplerCheckRequest request;

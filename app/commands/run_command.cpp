@@ -58,8 +58,8 @@ ExitCode finish_shard(const studies::Shard& shard, OutputFolder& out, bool quiet
     return ExitCode::passed;
 }
 
-/// The part of a process beside the first one: carries out its units and hands them over. It says nothing: what is
-/// wrong with the command the first process finds as well, and its end ends all.
+/// The work of a process other than the first one: carries out its units and hands them over. It prints nothing: the
+/// first process finds the same faults of the command, and ends all processes.
 ExitCode assist(const Processes& processes, const RunCommand& command) {
     std::optional<RunRequest> request;
     std::exception_ptr failure;
@@ -77,7 +77,7 @@ ExitCode assist(const Processes& processes, const RunCommand& command) {
     options.process = processes.part();
     options.stop = &stop_flag();
     options.drop = &drop_flag();
-    // Its end would be that of the first process, which saves and writes the reports.
+    // An end here would also end the first process, which saves and writes the reports.
     never_end_on_signals();
     const TimeLimit limit(request->max_time);
     const MemoryLimit memory(request->max_memory);
@@ -105,7 +105,8 @@ ExitCode describe_plan(const RunRequest& request, const std::filesystem::path& o
     return ExitCode::passed;
 }
 
-/// @throws UserError where the finished store would not fit on the disk by far, and the run has no other end
+/// @throws UserError where the finished store would exceed the free space on the disk by far, and the run has no other
+/// end
 void expect_room_on_disk(const RunRequest& request, const std::filesystem::path& out, bool quiet) {
     std::error_code error;
     const std::uint64_t free = std::filesystem::space(out, error).available;
@@ -116,7 +117,7 @@ void expect_room_on_disk(const RunRequest& request, const std::filesystem::path&
     if (more <= free) return;
     const std::string text = fmt::format("{}: about {} will be written, and {} are free", out.string(),
                                          size_in_words(more), size_in_words(free));
-    // What is expected is right within a factor of two; a goal or a limit of time may end the run before.
+    // The expected size is right within a factor of two; a goal or a time limit may end the run earlier.
     if (more / 2 > free && !request.plan.spec.until && !request.max_time) {
         throw UserError(fmt::format(
             "{} (the run would end with a full disk). Take fewer trials, another --out, or a --max-time.", text));

@@ -57,7 +57,7 @@ unsigned threads_of(const RunCommand& command, const Processes& processes) {
     return command.threads || processes.alone() ? thread_count(command.threads) : 1;
 }
 
-/// As many of these threads as fit into the memory. @throws UserError where one does not
+/// The number of these threads that fit into the memory. @throws UserError where not even one does
 unsigned threads_within(const studies::StudyPlan& plan, unsigned threads, std::uint64_t memory) {
     while (threads > 1 && studies::expected_memory(plan, threads) > memory) --threads;
     const std::uint64_t least = studies::expected_memory(plan, threads);

@@ -38,7 +38,8 @@ std::filesystem::path place_aside(const std::filesystem::path& folder) {
     }
 }
 
-/// Without a log beside it, so that it can be moved. @throws UserError where another program has it open
+/// Leaves the store without a log beside it, so that it can be moved. @throws UserError where another program has it
+/// open
 Store open_whole(const std::filesystem::path& file) {
     Store store = Store::create_or_resume(file, Store::open(file).plan());
     if (!store.seal()) {

@@ -40,7 +40,7 @@ std::filesystem::path made(std::filesystem::path folder) {
     return folder;
 }
 
-/// Removes what was on its way to a file here when a program ended.
+/// Removes temporary files that a program left here when it was ended.
 void remove_temporaries(const std::filesystem::path& folder) {
     std::error_code error;
     std::vector<std::filesystem::path> found;
@@ -51,7 +51,7 @@ void remove_temporaries(const std::filesystem::path& folder) {
     for (const auto& path : found) std::filesystem::remove_all(path, error);
 }
 
-/// What a file of this name, or with such an end of its name, begins with and what is somewhere in it.
+/// How a file with this name, or with this ending, begins, and a text that it contains.
 struct Mark {
     std::string_view end_of_name;
     std::string_view begin;
@@ -119,7 +119,7 @@ OutputFolder::~OutputFolder() {
     leave();
 }
 
-/// Folders that were made for files that were never written go as well.
+/// Folders that were made for files that were never written are removed as well.
 void OutputFolder::leave() const {
     clean();
     lock_.remove_file();
@@ -131,7 +131,7 @@ void OutputFolder::leave() const {
     }
 }
 
-/// Not below other folders than those that results are written to: they may be other runs'.
+/// Only in folders to which results are written: others may belong to other runs.
 void OutputFolder::clean() const {
     std::set<std::filesystem::path> folders{path_};
     for (const auto& [name, owner] : owners_) folders.insert((path_ / name).parent_path());

@@ -53,7 +53,7 @@ std::vector<std::filesystem::path> drawings_in(const std::filesystem::path& work
     return drawn;
 }
 
-/// The pictures of a report that are asked for. @return the files, by name
+/// Makes the requested pictures of a report. @return the files, by name
 std::vector<std::filesystem::path> draw_all(const ResultSources& sources, const std::filesystem::path& workshop) {
     const auto pictures = chosen_pictures(sources.results, sources.pictures);
     ProgressDisplay progress(sources.quiet);
@@ -82,7 +82,7 @@ void expect_drawable(const reports::Picture& picture, const reports::Templates& 
         throw UserError(fmt::format("--height (that of {} follows from what it shows). Leave it out.", picture.id));
 }
 
-/// Copies what was made to its place, whole or not at all.
+/// Copies the result to its place, completely or not at all.
 void deliver(const std::filesystem::path& file, OutputFolder& folder) {
     folder.write("pictures/" + file.filename().string(),
                  [&](std::ostream& out) { out << std::ifstream(file, std::ios::binary).rdbuf(); });

@@ -207,7 +207,7 @@ studies::Store open_or_create(OutputFolder& out, const studies::StudyPlan& plan)
     if (!std::filesystem::exists(file)) out.expect_own(files);
     auto store = studies::Store::create_or_resume(file, plan);
     if (!store.was_checked()) note_unchecked(file);
-    // It is of this study, and so are the reports that were made of it.
+    // The store belongs to this study, and so do the reports that were made from it.
     out.inherit("study ");
     out.expect_own(files);
     return store;

@@ -21,7 +21,7 @@ namespace {
 
 std::span<char* const> arguments_of_program;
 
-/// What was asked for, so that an error that comes from deep inside names its inputs.
+/// The command line, so that an error from deep inside names its inputs.
 std::string asked() {
     std::string text = "ffstudy";
     for (std::size_t i = 1; i < arguments_of_program.size(); ++i) text += fmt::format(" {}", arguments_of_program[i]);
@@ -40,7 +40,7 @@ ExitCode fail_unexpectedly(std::string_view what) {
                             asked(), what));
 }
 
-/// Tells the exception that is being handled.
+/// Reports the exception that is being handled.
 ExitCode tell_exception() {
     try {
         throw;

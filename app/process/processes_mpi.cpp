@@ -29,7 +29,7 @@ void pause() {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-/// For one of the others: hears what the leader says. @return false when that is the end
+/// For a process other than the leader: receives a message of the leader. @return false when it is the last one
 bool listen(std::mutex& talking, bool& told) {
     const std::lock_guard lock(talking);
     if (stop_flag() && !std::exchange(told, true)) tell(leader, asked_to_end);
@@ -61,7 +61,8 @@ Processes::Processes() {
 }
 
 Processes::~Processes() {
-    // The others may wait for this process: leaving without a word makes mpirun end them, after the message is out.
+    // The others may be waiting for this process: leaving without a message to them makes mpirun end them, after the
+    // error has been printed.
     if (std::uncaught_exceptions() == 0) MPI_Finalize();
 }
 

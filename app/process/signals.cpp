@@ -33,7 +33,7 @@ State& state() {
     return never_destroyed;
 }
 
-/// Seconds that units in hand have to be finished.
+/// Seconds in which units in progress have to be finished.
 constexpr unsigned seconds_to_finish = 2;
 
 constexpr std::array received{SIGINT, SIGTERM, SIGUSR1};
@@ -52,7 +52,7 @@ void mean(Meaning meaning, std::string words = {}) {
     state().words = std::move(words);
 }
 
-/// Prints what a signal means, once. Where it cannot be printed it is not.
+/// Prints the meaning of a signal, once. A failure to print is ignored.
 void say_words() {
     const std::string words = std::exchange(state().words, {});
     if (!words.empty()) static_cast<void>(!::write(STDERR_FILENO, words.data(), words.size()));

@@ -89,7 +89,7 @@ long double integral(long double low, long double high, Height height, Function 
         low, high);
 }
 
-/// What does not get from a face of a unit cube to the opposite one, for an inner cube of this edge.
+/// The part of the exchange between opposite faces of a unit cube that an inner cube with this edge blocks.
 long double blocked_share(long double inner) {
     const long double margin = (1 - inner) / 2;
     const long double clipped = (1 - inner) / (1 + inner);  // larger offsets take part of the shadow off the face

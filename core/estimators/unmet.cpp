@@ -12,7 +12,7 @@
 namespace ff {
 namespace {
 
-/// Evaluations in a peak, or hits, from which on their own skewness shows what they make of the mean.
+/// Number of evaluations in a peak, or hits, from which on their own skewness shows their effect on the mean.
 constexpr double enough = 30;
 
 struct PlacedSurface {
@@ -73,7 +73,7 @@ double squared_gap(const PlacedSurface& a, const PlacedSurface& b) {
     return std::max(of_boxes, gap * gap);
 }
 
-/// Two surfaces as a peak has them. The kernel is largest where points are about as close as the surfaces are, and a
+/// Two surfaces as a cause of a peak. The kernel is largest where points are about as close as the surfaces are, and a
 /// factor where the point lies beneath the target or within that distance of it.
 struct Peak {
     double squared_distance;

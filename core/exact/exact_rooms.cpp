@@ -53,8 +53,8 @@ struct Rim {
     long double radius = 0;
 };
 
-/// What a surface is in a plane through the axis: a line that climbs it, with the room on its left. Directions are
-/// angles, 0 away from the axis and pi towards it.
+/// The section of a surface with a plane through the axis: a line that climbs the surface, with the room on its left.
+/// Directions are angles, 0 away from the axis and pi towards it.
 struct Profile {
     Rim from, to;
     double direction_from = 0, direction_to = 0;
@@ -158,7 +158,7 @@ std::vector<Profile> meridian(const std::vector<Profile>& profiles, double size)
     return ordered;
 }
 
-/// What passes through the discs that two rims bound.
+/// Exchange area of the discs that two rims bound.
 long double exchange(const Rim& a, const Rim& b, double size) {
     const long double smaller = std::min(a.radius, b.radius);
     if (smaller <= tolerance * size) return 0;

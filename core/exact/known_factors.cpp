@@ -12,7 +12,7 @@
 namespace ff {
 namespace {
 
-/// In scenes with more surfaces, pairs of faces are not looked at one by one: this takes time that grows with the cube
+/// In scenes with more surfaces, pairs of faces are not examined one by one: that takes time proportional to the cube
 /// of the number of surfaces.
 constexpr std::size_t most_surfaces_pair_by_pair = 128;
 

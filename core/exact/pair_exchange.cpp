@@ -10,7 +10,7 @@
 namespace ff {
 namespace {
 
-/// Each is cut out of every piece of a polygon; of more, rays cost less.
+/// Each blocker is cut out of every piece of a polygon; with more blockers, rays cost less.
 constexpr std::size_t most_blockers = 256;
 
 BoundedValue<double> contour_exchange(const Surface& from, const Surface& to, double wanted) {

@@ -17,8 +17,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Gives pairs of patches that lie to each other in the same way the same number. A pair is given by column and row of
-/// both patches; its offset is a sum of these times the patches' edges, in which equal edges of the two count together.
+/// Gives pairs of patches in the same relative position the same number. A pair is given by column and row of both
+/// patches; its offset is a sum of these times the patches' edges, in which equal edges of the two count together.
 class Offsets {
   public:
     /// @param from, to  one patch of each

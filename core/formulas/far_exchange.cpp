@@ -33,7 +33,7 @@ struct SpannedPolygon {
     Vector3d corner, u, v;
     bool is_triangle = false;
 
-    /// That a place moves by at most while one coordinate goes from its middle to an end.
+    /// Largest displacement of a place while one coordinate goes from its middle to an end.
     [[nodiscard]] double reach_s() const { return std::max(u.norm(), (u + v).norm()) / 2; }
     [[nodiscard]] double reach_t() const { return v.norm() / 2; }
     [[nodiscard]] Vector3d middle() const {

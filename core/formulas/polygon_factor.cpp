@@ -17,7 +17,7 @@ namespace ff {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// What the edge from `begin` to `end` contributes at the points (x, y, 0), times 2 pi: the angle under which it is
+/// The contribution of the edge from `begin` to `end` at the points (x, y, 0), times 2 pi: the angle under which it is
 /// seen times the cosine of edge x begin to the normal.
 HWY_INLINE Doubles edge_term(Doubles x, Doubles y, const Eigen::Vector3d& begin, const Eigen::Vector3d& end) {
     const Eigen::Vector3d edge = end - begin;
@@ -66,7 +66,7 @@ HWY_EXPORT(sum);
 
 Polygon clip_at_horizon(const Polygon& polygon) {
     Polygon above = part_above(polygon, [](const Eigen::Vector3d& vertex) { return vertex.z(); });
-    // What has been made where an edge crosses the plane lies in it, whatever rounding left.
+    // A vertex that was made where an edge crosses the plane lies in the plane, whatever rounding says.
     for (Eigen::Vector3d& vertex : above) {
         const bool is_crossing = std::find(polygon.begin(), polygon.end(), vertex) == polygon.end();
         if (is_crossing) vertex.z() = 0;

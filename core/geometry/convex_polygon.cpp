@@ -50,7 +50,7 @@ ConvexPolygon clipped(const ConvexPolygon& polygon, const Vector3d& normal, doub
 
 namespace {
 
-/// Without corners that are another, or lie on the line between their neighbours, but for rounding.
+/// The polygon without corners that coincide with another, or lie on the line between their neighbours, up to rounding.
 ConvexPolygon cleaned(ConvexPolygon polygon, double gap) {
     for (std::size_t k = 0; k < polygon.size() && polygon.size() >= 3;) {
         const std::size_t n = polygon.size();

@@ -80,7 +80,7 @@ class Ring {
     std::vector<std::size_t> left_;
     double flat_ = 0;  ///< twice the area up to which three corners count as one line
 
-    /// A corner in the same place as another, as where a hole is joined to the rim, is not.
+    /// A corner in the same place as another one, as where a hole is joined to the rim, is not in the way.
     [[nodiscard]] bool is_in_the_way(std::size_t other, const std::array<std::size_t, 3>& ear) const {
         const Vector2d& place = places_[other];
         for (std::size_t k = 0; k < 3; ++k) {

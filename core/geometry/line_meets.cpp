@@ -24,7 +24,7 @@ struct Quadratic {
 using Meetings = std::array<Meeting, 2>;
 constexpr Meetings none{Meeting{never}, Meeting{never}};
 
-/// Both roots, the lesser first; `never` for those that are not there. No difference of nearly equal numbers is taken.
+/// Both roots, the smaller first; `never` for missing ones. No difference of nearly equal numbers is taken.
 Meetings roots(const Quadratic& q) {
     const double discriminant = q.b * q.b - q.a * q.c;
     if (!(discriminant >= 0)) return none;
@@ -39,7 +39,7 @@ Meetings roots(const Quadratic& q) {
 /// The meetings that count, given that some ends of the line are roots.
 Meetings other_roots(const Quadratic& q, Ends ends, Facing facing) {
     if (!ends.begins && !ends.ends) return roots(q);
-    // What bulges towards the other end is not met again.
+    // A surface that bulges towards the other end is not met again.
     if ((ends.begins && ends.ends) || facing == Facing::outward || q.a == 0) return none;
     if (ends.ends) return {Meeting{-2 * q.b / q.a - 1, q.a < 0}, Meeting{never}};
     // The line leads inwards: b > 0 is rounding, and then it meets the surface where it starts.

@@ -113,10 +113,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Gaps of this share of the smallest thing that a proof is about count as none.
+/// Gaps of this share of the smallest thing that a proof is about do not count.
 constexpr double gap_of_grain = 1e-15;
 
-/// What a length may be off by, as a share of the longest that it was made from.
+/// Possible error of a length, as a share of the longest length that it was computed from.
 constexpr double noise_of_size = 5e-16;
 
 /// Edges that are shorter, as a share of a polygon's size, have no direction; nor have axes of that sine.

@@ -89,7 +89,7 @@ class Finder {
         std::uint32_t ground = 0;
         ConvexPolygon polygon;
     };
-    /// The surfaces that all of a body's rim lies on, which face the body; none where it does not stand so.
+    /// The surfaces that all of a body's rim lies on and that face the body; empty where it does not stand in this way.
     [[nodiscard]] std::vector<Cover> covered_by_rim(const ConvexPolygon& rim, const std::vector<std::uint32_t>& body,
                                                     const BoxTree& tree) const;
     /// Surfaces that touch at edges have the same number.
@@ -192,7 +192,7 @@ std::vector<std::uint32_t> Finder::bodies() const {
     return body;
 }
 
-/// A closed walk along free edges, which are taken out; empty where one of them ends nowhere.
+/// A closed walk along free edges, which are removed; empty where one of them is a dead end.
 std::vector<std::uint32_t> walk(std::map<std::uint32_t, std::uint32_t>& edges) {
     std::vector<std::uint32_t> rim;
     const std::uint32_t first = edges.begin()->first;
@@ -230,7 +230,7 @@ std::vector<Finder::Cover> Finder::covered_by_rim(const ConvexPolygon& rim, cons
             covered += common;
         });
     }
-    // What is not covered is no more than rounding leaves along the rim and between the surfaces beneath it.
+    // The uncovered part is at most what rounding leaves along the rim and between the surfaces beneath it.
     constexpr double rounding = 1e-6;
     const double missing = std::max(rounding * polygon_area(rim), gap_ * (length_around(rim) + box.diagonal().norm()));
     return covered >= polygon_area(rim) - missing ? covers : std::vector<Cover>();
@@ -238,7 +238,7 @@ std::vector<Finder::Cover> Finder::covered_by_rim(const ConvexPolygon& rim, cons
 
 void Finder::find_rims(const BoxTree& tree) {
     const std::vector<std::uint32_t> body = bodies();
-    // By body, the edges that only one surface has, as that surface is walked around: beginning and end.
+    // For each body, the beginning and end of the edges that only one surface has, in the direction of its outline.
     std::map<std::uint32_t, std::map<std::uint32_t, std::uint32_t>> free_edges;
     std::map<std::uint32_t, std::vector<std::uint32_t>> members;
     for (std::uint32_t i = 0; i < rings_.size(); ++i) {

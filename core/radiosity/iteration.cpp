@@ -77,7 +77,7 @@ Iteration shooting(const RadiositySystem& system, std::shared_ptr<const Ambient>
             if (ambient) to_shoot += ambient->share.dot(*unshot) * system.reflectance;
             Eigen::Index from = 0;
             to_shoot.cwiseProduct(system.areas).cwiseAbs().maxCoeff(&from);
-            // What the patch sends to itself is in the ambient exitance already.
+            // The power that the patch sends to itself is already part of the ambient exitance.
             const double own = ambient ? 0 : system.reflectance[from] * system.factors(from, from);
             const double change = to_shoot[from] / (1 - own);
             m[from] += change;

@@ -112,7 +112,7 @@ Descriptor timer(double seconds, const std::string& program) {
     return timer;
 }
 
-/// Waits for the end of a process, or for the timer. @return false where that came first
+/// Waits for the end of a process, or for the timer. @return false where the timer came first
 bool ends_before(const Descriptor& timer, pid_t child, int& status) {
     // Kernels before 5.3 have no descriptors of processes; poll leaves out what is negative.
     const Descriptor process(static_cast<int>(::syscall(SYS_pidfd_open, child, 0)));
@@ -130,7 +130,7 @@ void end_child(pid_t child) {
     wait_for_child(child);
 }
 
-/// How a process ended that prints no more but may still run, or why it is ended here.
+/// How a process ended that prints nothing more but may still be running, or why it is ended here.
 void take_end(const Descriptor& end, pid_t child, ChildOutput& result) {
     int status = 0;
     if (result.end == ChildOutput::End::exited && !ends_before(end, child, status))
@@ -149,7 +149,8 @@ void keep_the_last(std::string& errors) {
     if (errors.size() > 2 * kept_of_errors) errors.erase(0, errors.size() - kept_of_errors);
 }
 
-/// Waits for what a child prints, and takes some of it. @return false where it is to be ended, for what `result` says
+/// Waits for output of a child, and reads some of it. @return false where the child is to be ended, for the reason in
+/// `result`
 bool read_or_refuse(const Descriptor& end, Descriptor& output, Descriptor& errors, std::uint64_t most_output,
                     ChildOutput& result) {
     std::array<pollfd, 3> wait{pollfd{end.number(), POLLIN, 0}, pollfd{output.number(), POLLIN, 0},

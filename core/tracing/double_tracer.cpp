@@ -142,7 +142,7 @@ class DoubleTracer final : public Tracer {
     BoxTree tree_;
     bool closed_ = false;
     std::size_t faces_ = 0;
-    double gap_ = 0;  ///< what may be rounding
+    double gap_ = 0;  ///< distances that may be due to rounding
 };
 
 }  // namespace

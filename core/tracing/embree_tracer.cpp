@@ -30,7 +30,7 @@ constexpr std::size_t packet = 8;
 /// geometry, and a filter excludes the source.
 constexpr std::size_t mask_bits = 32;
 
-/// By this share of a scene's largest coordinate, origins, corners and meetings may be off for rounding alone.
+/// Origins, corners and meetings may be off by this share of a scene's largest coordinate because of rounding alone.
 constexpr double place_rounding = 0x1p-21;
 
 void require_no_error(const embree::Device& device, const char* what) {
@@ -160,7 +160,7 @@ class EmbreeTracer final : public Tracer {
     bool by_mask_ = false;
     bool closed_ = false;
     std::size_t faces_ = 0;
-    double gap_ = 0;  ///< what may be rounding
+    double gap_ = 0;  ///< distances that may be due to rounding
 };
 
 EmbreeTracer::EmbreeTracer(const Scene& scene)

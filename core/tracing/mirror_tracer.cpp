@@ -10,7 +10,7 @@
 namespace ff {
 namespace {
 
-/// Rays on their way, and which of the rays asked for each of them is.
+/// Rays on their way, and the index of the requested ray that each belongs to.
 struct Paths {
     RayBatch rays;
     std::vector<std::size_t> number;

@@ -13,7 +13,7 @@ namespace {
 using Eigen::AlignedBox3d;
 using Eigen::Vector3d;
 
-/// A body with more is left to the sides themselves: to look at it would take longer than to look at them.
+/// A body with more sides is not used as a body: examining it would take longer than examining its sides.
 constexpr std::size_t most_sides = 64;
 
 /// Edges whose sides turn by less than about this angle are not those of a convex body, and a line has to be inside of
@@ -36,7 +36,7 @@ double volume_of(const std::vector<std::uint32_t>& sides, const SharedEdges& edg
     return volume;
 }
 
-/// Whether an edge of a polygon that has no corner in common with another meets that.
+/// Whether an edge of a polygon meets another polygon with which it has no corner in common.
 bool cuts(const ConvexPolygon& polygon, const ConvexPolygon& other, double room) {
     const Vector3d normal = twice_area(other).normalized();
     const auto is_corner = [&](const Vector3d& place) {
@@ -187,7 +187,7 @@ ConvexBodies::ConvexBodies(const std::vector<Surface>& surfaces, const SharedEdg
 
 bool ConvexBodies::is_outside(std::uint32_t body_index, std::span<const Vector3d> polygon) const {
     const Body& body = bodies_[body_index];
-    // What lies in the plane of a side has that side at its back, not before it; a common edge does not matter.
+    // A polygon in the plane of a side has that side behind it, not before it; a common edge does not matter.
     const auto all_in_front = [&](const Plane& plane) {
         const Extent heights = extent(polygon, plane.normal);
         return heights.low - plane.offset >= -room_ && heights.high - plane.offset > clearly * body.size;
@@ -213,7 +213,7 @@ ClosedMeshes::ClosedMeshes(const SharedEdges& edges)
 bool ClosedMeshes::is_on_free_side(std::uint32_t mesh, std::size_t surface, std::span<const Vector3d> polygon) const {
     if (mesh_of_[surface] == mesh) return true;
     if (!meshes_[mesh].is_body) return false;
-    // What lies in the plane of a side may be covered by it, and then sees the others from behind.
+    // A polygon in the plane of a side may be covered by it, and then sees the others from behind.
     const AlignedBox3d& body = meshes_[mesh].box;
     const AlignedBox3d box = box_around(polygon);
     const double beyond = least_reach * body.sizes().maxCoeff();

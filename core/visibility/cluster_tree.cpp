@@ -51,7 +51,7 @@ class ClusterTree::Builder {
         return index;
     }
 
-    /// When what is below it has been added.
+    /// Completes a cluster after everything below it has been added.
     void end_cluster(std::uint32_t index) {
         Cluster& cluster = tree_.clusters_[index];
         cluster.count = static_cast<std::uint32_t>(tree_.order_.size()) - cluster.first;

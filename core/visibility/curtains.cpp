@@ -7,8 +7,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// What counts has to be larger than this share of what it is a part of: heights above a plane, and places inside of an
-/// edge.
+/// Heights above a plane, and distances inside of an edge, count only where they exceed this share of the whole.
 constexpr double clear_share = 1e-9;
 
 /// A place inside of a convex set, beside its middle: lines between middles often meet edges.
@@ -90,7 +89,7 @@ bool Curtains::hide_all(std::span<const std::uint32_t> walls, const End& from, c
                 const std::uint32_t next = edges_.beyond(wall, edge);
                 is_curtain = next != SharedEdges::none && (asked_[next] == question || is_clear(next));
                 if (!is_curtain || asked_[next] != question || reached_[next] == curtain) continue;
-                is_curtain = reached_[next] < question;  // what another curtain has reached was none
+                is_curtain = reached_[next] < question;  // what an earlier curtain reached did not form one
                 reached_[next] = curtain;
                 members_.push_back(next);
             }

@@ -38,7 +38,7 @@ double summed_extents(const Surface& surface) {
     return sum;
 }
 
-/// Where images are not known, every face is taken to see itself.
+/// Where images are unknown, every face is assumed to see itself.
 bool sees_itself_in_mirrors(const Scene& scene, int face) {
     if (mirrors(scene).empty()) return false;
     for (const Surface& from : scene.surfaces) {

@@ -31,7 +31,7 @@ bool are_apart(const AlignedBox3d& a, const AlignedBox3d& b) {
     return (a.min().array() > b.max().array()).any() || (a.max().array() < b.min().array()).any();
 }
 
-/// All surfaces as of one face, so that level ones are joined.
+/// All surfaces as parts of one face, so that level ones are joined.
 Scene without_faces(const Scene& scene) {
     Scene result = scene;
     for (Surface& surface : result.surfaces) surface.face = 0;
@@ -82,7 +82,7 @@ class Occluders::Walk {
                   [&](std::uint32_t a, std::uint32_t b, std::size_t begin) { this->see(a, b, begin, see); });
     }
 
-    /// Puts those that may stand between two clusters on the stack. @return whether all is not hidden
+    /// Puts candidates that may stand between two clusters on the stack. @return false if everything is hidden
     /// @param first, last  places of the candidates on the stack
     bool filter(const Cluster& from, const Cluster& to, std::size_t first, std::size_t last) {
         const bool are_leaves = from.is_leaf() && to.is_leaf();
@@ -127,7 +127,8 @@ class Occluders::Walk {
             wall == ClusterTree::no_wall ? unopened_.push_back(stack_[k]) : walls_.push_back(wall);
         }
         if (walls_.size() < 2) return false;
-        // What is not on the stack has been shown to be clear, unless it is an end or counts as level with one.
+        // Walls that are not on the stack have been shown to be clear, unless they are an end or count as level with
+        // one.
         const std::array ends{from.wall, to.wall};
         const auto is_clear = [this, &ends](std::uint32_t wall) {
             if (wall == ends[0] || wall == ends[1] || all_.is_level_with_any(wall)) return false;
@@ -140,7 +141,7 @@ class Occluders::Walk {
                                   std::min(from.grain, to.grain), is_clear);
     }
 
-    /// What the walls on the stack from a place on are to two surfaces.
+    /// How the walls on the stack, from a place on, affect two surfaces.
     [[nodiscard]] Between between(std::uint32_t from_index, std::uint32_t to_index, std::size_t first) const {
         const Surface& from = all_.surfaces_[from_index];
         const Surface& to = all_.surfaces_[to_index];
@@ -170,7 +171,7 @@ class Occluders::Walk {
                 }
                 crossing = shaft->crossed_by(*all_.plates_[index]);
             }
-            // What is in the plane of an end but for rounding hides nothing.
+            // A wall in the plane of an end, up to rounding, hides nothing.
             if (crossing == Shaft::Crossing::none || keeps_clear(wall, from, to)) continue;
             if (crossing == Shaft::Crossing::all) return {.all_hidden = true, .occluders = {}};
             if (are_polygons && all_.plates_[index] && shaft->is_beside(*all_.plates_[index])) continue;
@@ -323,7 +324,7 @@ FacedEnd Occluders::end_to_face(std::size_t wall, std::size_t from, std::size_t 
 }
 
 void Occluders::drop_far_sides(Between& between, std::size_t from, std::size_t to) const {
-    // All sides of a body face the same end: together, those that face both would be none.
+    // All sides of a body are checked against the same end: there might be none that face both.
     std::map<std::uint32_t, FacedEnd> ends;
     std::erase_if(between.occluders, [&](Blocker& occluder) {
         const std::size_t wall = index_of(occluder.surface);

@@ -32,7 +32,7 @@ double length(const Extent& extent) {
     return extent.high - extent.low;
 }
 
-/// What computing a surface's extent may be off by: it grows with the surface, and what it may hide does not.
+/// Possible error of a computed extent of a surface: it grows with the surface, unlike what the surface may hide.
 double rounding_of(const Extent& extent) {
     return 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(extent.low), std::abs(extent.high));
 }

@@ -30,7 +30,7 @@ void see_from(const Vector3d& place, std::span<const Vector3d> polygon, SmallPol
     for (std::size_t k = 0; k < polygon.size(); ++k) result[k] = polygon[k] - place;
 }
 
-/// What places may be off by, and heights above planes, as a share of the largest coordinate.
+/// Possible error of places, and of heights above planes, as a share of the largest coordinate.
 constexpr double coordinate_rounding = 16 * std::numeric_limits<double>::epsilon();
 
 /// The part of a convex polygon where sign * height >= 0; none of less than three corners.
@@ -76,10 +76,10 @@ bool cut(SmallPolygon& polygon, const Vector3d& normal, double rounding, SmallPo
 /// Blockers may be before each other by this share of the size of all.
 constexpr double convex_room = 1e-14;
 
-/// From so many blockers on it pays to ask first which of them are beside the target.
+/// From this many blockers on, it pays to determine first which of them are beside the target.
 constexpr std::size_t least_for_cone = 3;
 
-/// An edge has to be so many times as long as what coordinates are rounded by.
+/// An edge has to be this many times as long as the rounding of coordinates.
 constexpr double roundings_of_edge = 256;
 
 /// Room for the rounding of a triple product, relative to the lengths of its factors.
@@ -136,7 +136,8 @@ bool keep_those_that_cut(SmallPolygon& sides, const SmallPolygon& piece) {
     return true;
 }
 
-/// What of a convex piece a shadow hides, given by the planes of its sides: all of it where it does not differ.
+/// The part of a convex piece that a shadow hides, given by the planes of its sides: the whole piece where nothing
+/// differs.
 bool hide(SmallPolygon& piece, const SmallPolygon& shadow, double rounding) {
     bool differs = false;
     for (const Vector3d& side : shadow) {

@@ -118,7 +118,7 @@ py::array_t<double> points(const std::string& name, const samplers::DrawnSet& re
     return rows;
 }
 
-/// Ours become exceptions of the package, which says what they are.
+/// Our exceptions become exceptions of the package, which defines them.
 void translate(std::exception_ptr failure) {
     const auto raise = [](const char* type, const char* text) {
         const py::object error = py::module_::import("ffstudy.errors").attr(type);

@@ -47,7 +47,7 @@ struct StudyTables {
     bool complete = false;
 };
 
-/// What a study file says, and what the caller wants instead.
+/// The content of a study file, with the changes that the caller requests.
 /// @param origin  the file, for messages and for the folder of other files
 studies::StudyPlan plan_of(const std::string& text, const std::string& origin,
                            const std::optional<std::uint64_t>& trials, const std::optional<std::uint64_t>& seed) {
@@ -121,7 +121,7 @@ StudyTables run(const std::string& text, const std::string& origin, const std::o
     return tables;
 }
 
-/// What a study wants run, each with its place.
+/// The outside code that a study asks to run, each with its place.
 std::vector<std::pair<std::string, std::string>> wants(const std::string& text, const std::string& origin) {
     std::vector<std::pair<std::string, std::string>> found;
     for (const auto& code : studies::outside_code(text, origin)) found.emplace_back(code.place, code.text);

@@ -61,7 +61,7 @@ std::string why_untested(const CellComparison& cell) {
     return reasons.empty() ? "no trials yet" : fmt::format("{}", fmt::join(reasons, " or "));
 }
 
-/// What the tests would have detected, and where.
+/// The effects that the tests would have detected, and where.
 std::string detectable_in_words(const CellComparison& cell, const studies::Detectable& detectable,
                                 std::string_view before) {
     if (detectable.pairs == 0) return "nothing";

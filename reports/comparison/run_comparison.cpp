@@ -23,7 +23,7 @@ using studies::CellComparison;
 using studies::Likeness;
 using studies::RunComparison;
 
-/// "186 tests, 5 % together", or what there is instead.
+/// "186 tests, 5 % together", or what replaces it.
 std::string tests_in_words(const RunComparison& comparison) {
     if (comparison.tests == 0) return "no tests";
     return fmt::format("{}, {:g} % together", counted(comparison.tests, "test"), 100 * (1 - comparison.level));
@@ -75,7 +75,7 @@ Table cells_table(const RunComparison& comparison) {
     return table;
 }
 
-/// A value of a study file: of a long one what lies around the first difference, of the text of a scene its length.
+/// A value of a study file: for a long one the part around the first difference, for the text of a scene its length.
 std::string shown(const std::string& value, const std::string& other) {
     constexpr std::size_t longest = 60;
     constexpr std::size_t before = 20;

@@ -23,7 +23,7 @@ std::string columns_of(std::string_view name) {
     return fmt::format("{0}_least={0}/least,{0}_median={0}/median,{0}_largest={0}/largest", name);
 }
 
-/// Calls `row` for every setting, with the record that tells it: study .. trials.
+/// Calls `row` for every setting, with the record that identifies it: study .. trials.
 template <class Row>
 void for_each_setting(const studies::StudyResults& results, const Row& row) {
     const StudyPlan& plan = results.findings.plan;

@@ -41,7 +41,7 @@ void add_system(Files& files, const std::string& folder, const std::string& labe
     }
 }
 
-/// Factors between patches, and what makes a system of them. The matrix I - diag(reflectance) F itself is as large as
+/// Factors between patches, and what turns them into a system. The matrix I - diag(reflectance) F itself is as large as
 /// F.
 void add_patches(Files& files, const std::string& folder, const std::string& label, const studies::StudyPlan& plan,
                  std::size_t index, std::uint64_t trial) {

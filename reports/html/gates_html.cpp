@@ -45,7 +45,7 @@ pugi::xml_node begin_page(pugi::xml_document& document, const std::string& title
     return html;
 }
 
-/// Values to places, so that all that is finite is seen.
+/// Maps values to places, so that everything finite is visible.
 struct Scale {
     double low = 0;
     double high = 1;

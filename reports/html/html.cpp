@@ -39,7 +39,7 @@ Json published_view(const studies::PublishedResults& published, double alpha, co
             {"alpha", fmt::format("{:g}", 100 * alpha)}};
 }
 
-/// The tables of what is asked beyond bias and spread, as far as the study has it.
+/// The tables on questions beyond bias and spread, as far as the study has them.
 Json findings_view(const studies::StudyResults& results) {
     Json tables = Json::array();
     for (const Table& table :
@@ -52,7 +52,7 @@ Json findings_view(const studies::StudyResults& results) {
     return tables;
 }
 
-/// Line drawings of the scenes; of many the first.
+/// Line drawings of the scenes; only of the first where there are many.
 Json scenes_view(const studies::StudyPlan& plan) {
     constexpr std::size_t most_drawings = 30;
     Json scenes = Json::array();
@@ -155,7 +155,7 @@ struct PagePictures {
 
 PagePictures pictures_of_page(const studies::StudyResults& results) {
     PagePictures page{lead_picture(results), pictures_by_size(results), picture_groups(results)};
-    // What is beside the answer is not shown again.
+    // The picture beside the answer is not shown again.
     const auto is_lead = [&](const Picture& picture) { return page.lead && picture.id == page.lead->id; };
     std::erase_if(page.pictures, is_lead);
     for (PictureGroup& group : page.groups) std::erase_if(group.pictures, is_lead);
@@ -172,8 +172,9 @@ PagePictures pictures_of_page(const studies::StudyResults& results) {
     return page;
 }
 
-/// Pictures are most of a report's bytes. They are left to files until about so many bytes are saved: those of the last
-/// single methods, distributions and patches first, then the last of all methods together. @return whether any was
+/// Pictures make up most of a report. They are left to separate files until about this many bytes are saved: first
+/// those of the last single methods, distributions and patches, then the last of all methods together. @return whether
+/// any was
 bool leave_out(PagePictures& page, std::size_t bytes) {
     constexpr std::size_t markup = 800;  // of a picture, beside its texts
     const auto is_large = [](const Picture& picture) {
@@ -205,8 +206,8 @@ bool leave_out(PagePictures& page, std::size_t bytes) {
     return page.left_out > before;
 }
 
-/// Leaves the tables of the last methods, pair by pair, to summary.csv until about so many bytes are saved, or a little
-/// less. @return how many
+/// Leaves the tables of the last methods, pair by pair, to summary.csv until about this many bytes are saved, or a
+/// little less. @return how many
 std::size_t leave_out_pairs(Json& tables, std::size_t bytes) {
     std::size_t saved = 0;
     std::size_t left_out = 0;

@@ -85,7 +85,7 @@ std::vector<Line> lines_of(const Surface& surface) {
     return lines;
 }
 
-/// What is drawn of one surface.
+/// The lines that are drawn for one surface.
 struct Drawn {
     const Surface* surface = nullptr;
     std::vector<Line> lines;

@@ -16,7 +16,7 @@ struct Sign {
     std::string_view latex;
 };
 
-/// In braces where a command would swallow what follows, or where [ and * are arguments of the row before.
+/// A text in braces, where a command would swallow what follows, or where [ and * would be arguments of the row before.
 constexpr std::array ascii{
     Sign{"\\", "\\textbackslash{}"},
     Sign{"{", "\\{"},
@@ -36,7 +36,7 @@ constexpr std::array ascii{
     Sign{"*", "{*}"},
 };
 
-/// What reports themselves write beyond ASCII.
+/// Characters beyond ASCII that reports themselves write.
 constexpr std::array signs{
     Sign{"−", "\\ensuremath{-}"},
     Sign{"×", "\\ensuremath{\\times}"},

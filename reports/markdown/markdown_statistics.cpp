@@ -95,7 +95,7 @@ bool follows(const Summary& s, Completion completion) {
     return true;
 }
 
-/// The pair of the largest |t|; of the largest error where nothing is tested.
+/// The pair with the largest |t|, or with the largest error where nothing is tested.
 const Summary* worst_pair(const CellAnalysis& found) {
     if (found.bias && found.bias->largest_t > 0) return &found.summary(found.bias->largest_pair);
     const Summary* worst = nullptr;

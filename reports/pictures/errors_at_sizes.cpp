@@ -21,7 +21,7 @@ struct Octave {
     std::set<std::size_t> methods;
     std::vector<std::size_t> cells;
 
-    /// That of most cells.
+    /// The size that most cells have.
     [[nodiscard]] std::uint64_t usual() const {
         return std::max_element(sizes.begin(), sizes.end(),
                                 [](const auto& a, const auto& b) { return a.second < b.second; })

@@ -106,7 +106,7 @@ std::string range_finding(const Choice& choice) {
                        brief(*largest));
 }
 
-/// Without systems between patches: what exact factors give.
+/// Pictures without systems between patches: the results of exact factors.
 std::optional<Picture> gathered_picture(const studies::StudyResults& results, std::size_t scene_index) {
     constexpr Subdivision subdivision{13};
     const StudyPlan& plan = results.findings.plan;
@@ -131,7 +131,7 @@ std::optional<Picture> gathered_picture(const studies::StudyResults& results, st
                        "light that it gathers from the faces.");
 }
 
-/// One treatment of one cell between patches, at a setting where it has what is shown.
+/// One treatment of one cell between patches, at a setting that has the quantity to show.
 using Visit = std::function<void(const std::string& label, const studies::radiosity::SettingStatistics&)>;
 
 void for_each_lit(const StudyPlan& plan, const studies::radiosity::Results& radiosity,

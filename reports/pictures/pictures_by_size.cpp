@@ -70,7 +70,7 @@ std::vector<std::size_t> cells_of(const studies::StudyPlan& plan, const std::vec
     return cells;
 }
 
-/// The one error of a deterministic method may be small by luck, so that it is not set against those of samples.
+/// The single error of a deterministic method may be small by luck, so it is not compared with errors of samples.
 std::string smallest_errors_in_words(const studies::Analysis& findings, const std::vector<SizeSeries>& all,
                                      PairClass pair_class) {
     std::string text;

@@ -19,7 +19,7 @@ namespace {
 
 using studies::ErrorShape;
 
-/// What all pictures of a cell's errors share.
+/// Data that all pictures of a cell's errors share.
 struct Distribution {
     const studies::CellAnalysis& found;
     const Scene& scene;

@@ -19,11 +19,11 @@ struct Shown {
     std::string method;
     std::string size;
     studies::radiosity::Treatment treatment;
-    bool own = true;  ///< whether the method itself completes the matrix so
+    bool own = true;  ///< whether the method itself completes the matrix in this way
     const Consequences* found;
 };
 
-/// What the verdict compares, with each treatment, but for treatments that change nothing.
+/// The cells that the verdict compares, with each treatment except those that change nothing.
 std::vector<Shown> shown_of(const studies::StudyResults& results, std::size_t scene) {
     const StudyPlan& plan = results.findings.plan;
     std::vector<Shown> shown;
@@ -40,13 +40,13 @@ std::vector<Shown> shown_of(const studies::StudyResults& results, std::size_t sc
     return shown;
 }
 
-/// The reflectance of all faces alike; empty where they differ.
+/// The reflectance that all faces share; empty where they differ.
 std::optional<double> same_everywhere(const StudyPlan& plan, std::size_t setting) {
     const auto& reflectance = plan.spec.radiosity->reflectance[setting];
     return reflectance.size() == 1 ? std::optional(reflectance.front()) : std::nullopt;
 }
 
-/// Ends its line, which is solid as methods complete their matrices and dashed where these are balanced.
+/// Ends a line, which is solid for matrices as methods complete them and dashed for balanced ones.
 void add_line(MethodLines& lines, const Shown& line, double last, const std::vector<Shown>& all) {
     const bool several = std::any_of(all.begin(), all.end(), [&](const Shown& other) {
         return other.method == line.method && other.size != line.size;

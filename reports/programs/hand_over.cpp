@@ -45,7 +45,7 @@ void write_view3d(std::ostream& out, const HandedOn& handed) {
     const auto n = handed.factors.rows();
     const std::string header =
         fmt::format("View3D by-ffstudy 0 {} 0 {}", handed.scene.closed || handed.scene.empty_box ? 1 : 0, n);
-    constexpr int width = 30;  // that its reader expects at least
+    constexpr int width = 30;  // least width that its reader expects
     out << fmt::format("{:<{}}\n{}\n", header, width, fmt::join(handed.matrix.areas, " "));
     for (Eigen::Index row = 0; row < n; ++row) out << fmt::format("{}\n", fmt::join(whole_row(handed, row), " "));
     std::vector<double> emissivities(handed.matrix.faces(), black);
@@ -59,7 +59,7 @@ constexpr std::string_view view_factors_object = "ZoneProperty:UserViewFactors:B
 constexpr std::string_view marks = ",;!";  // of the IDF format
 constexpr std::size_t longest_name = 100;
 
-/// That of the scene's file; else the zone has the scene's name, without a file's extension.
+/// The name of the zone in the scene's file; otherwise the scene's name without the extension of a file.
 std::string zone_of(const Scene& scene) {
     std::string name = studies::scene_source(scene.name).zone;
     if (!name.empty()) return name;

@@ -28,7 +28,8 @@ std::string_view why_no_interval(studies::VarianceStatus variance) {
     return "no spread";
 }
 
-/// The bias test is of all pairs of a scene: a pair that could not be tested does not agree because others do.
+/// The bias test covers all pairs of a scene: a pair that could not be tested does not count as agreeing because others
+/// do.
 TableCell verdict(const Scene& scene, const studies::ConfigurationEstimate& row) {
     const studies::CellAnalysis& found = *row.found;
     if (!found.bias) return {"deterministic", Mark::open};

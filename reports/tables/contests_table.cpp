@@ -179,7 +179,7 @@ Table decisions_table(const studies::StudyResults& results, bool timed) {
         "smallest mean square error they make where they do worst.",
         columns({"pairs", ">scenes", "take", "or"})};
     for (const studies::Decision& decision : studies::decide(plan, results.contests, equal)) {
-        // All methods that are best as often as the one at a place.
+        // All methods that are best as often as the one at this place.
         const auto alike = [&](std::size_t place) {
             std::vector<std::string> names;
             for (; place < decision.choices.size(); ++place) {

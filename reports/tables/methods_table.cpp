@@ -28,7 +28,7 @@ std::string sum_error_text(const studies::CellAnalysis& found) {
     return "–";
 }
 
-/// With ± half its interval where no exact value says how far it is off.
+/// The mean, with ± half its interval where no exact value shows its error.
 std::string mean_text(const studies::Summary& s) {
     if (!s.mean) return "–";
     if (s.reference || !s.mean_interval) return to_error(*s.mean, s.bias_se.value_or(0.0));

@@ -18,7 +18,7 @@ namespace {
 
 using studies::heat::Bounds;
 
-/// @param is_rounding  what is left of 0
+/// @param is_rounding the value is 0 up to rounding
 std::string with_error(const Bounds& bounds, bool is_rounding = false) {
     if (bounds.half_width() <= 1e-9 * std::abs(bounds.middle())) return brief(bounds.middle(), 6);
     constexpr double unseen = 0.01;
@@ -29,7 +29,7 @@ std::string with_error(const Bounds& bounds, bool is_rounding = false) {
 
 constexpr std::size_t most_flows_shown = 40;
 
-/// All faces; of many those of the largest powers.
+/// All faces, or those with the largest powers where there are many.
 std::vector<std::size_t> shown_faces(const studies::heat::Flows& flows, std::size_t most) {
     std::vector<std::size_t> faces(flows.faces.size());
     std::iota(faces.begin(), faces.end(), std::size_t{0});

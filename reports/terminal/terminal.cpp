@@ -28,7 +28,7 @@
 namespace ff::reports {
 namespace {
 
-/// What the cells of a method and a size ask for in all scenes.
+/// The work of the cells with one method and size in all scenes.
 struct PlanRow {
     std::string method;
     std::string size;
@@ -60,7 +60,7 @@ std::string terminal_slopes(const studies::StudyResults& results, const TextStyl
                        100 * results.findings.plan.spec.level, text_table(slopes_table(results), style));
 }
 
-/// More series than this are a thicket: then the best and the worst are drawn.
+/// More series than this would be unreadable: then only the best and the worst are drawn.
 constexpr std::size_t at_most = 6;
 constexpr std::size_t best_of_many = 3;
 
@@ -87,7 +87,7 @@ std::string plot_of(const studies::StudyPlan& plan, std::size_t scene, PairClass
                     std::vector<SizeSeries> all, const TextStyle& style) {
     std::string which;
     if (all.size() > at_most) {
-        // The one error of a deterministic method may be small by luck.
+        // The single error of a deterministic method may be small by luck.
         std::erase_if(
             all, [&](const SizeSeries& series) { return plan.cells[series.points.back().found->cell].deterministic; });
     }
@@ -105,8 +105,8 @@ std::string plot_of(const studies::StudyPlan& plan, std::size_t scene, PairClass
                        of_scene(plan, scene), which, plot);
 }
 
-/// Error against evaluations, drawn with letters, where a class of pairs has two ladders or more; of more than six the
-/// best and the worst.
+/// Error against evaluations, drawn with letters, where a class of pairs has two ladders or more; only the best and the
+/// worst of more than six.
 std::string terminal_plots(const studies::StudyResults& results, const TextStyle& style) {
     if (results.slopes.empty()) return {};
     const studies::StudyPlan& plan = results.findings.plan;
@@ -117,7 +117,7 @@ std::string terminal_plots(const studies::StudyResults& results, const TextStyle
             for (SizeSeries& series : size_series(results, scene, pair_class)) {
                 if (is_ladder(series)) ladders.push_back(std::move(series));
             }
-            // A ladder alone is told by its slope.
+            // A single ladder is described by its slope.
             if (ladders.size() > 1) out += plot_of(plan, scene, pair_class, std::move(ladders), style);
         }
     }
@@ -130,7 +130,7 @@ std::string titled(const Table& table, const TextStyle& style) {
     return fmt::format("\n{}\n{}", table.title, text_table(table, style));
 }
 
-/// The same with the sentences below it; these alone where there are no rows.
+/// The table with the sentences below it; only these where there are no rows.
 std::string explained(const Table& table, const TextStyle& style) {
     std::string out = titled(table, style);
     if (out.empty() && !table.remarks.empty()) out = fmt::format("\n{}\n", table.title);

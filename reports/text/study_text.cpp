@@ -8,7 +8,7 @@
 namespace ff::reports {
 namespace {
 
-/// Longer ones bury what the rest of the page says; a mesh has a million.
+/// Longer texts bury the rest of the page; a mesh has a million lines.
 constexpr std::ptrdiff_t most_scene_lines = 60;
 constexpr int lines_shown = 20;
 

@@ -58,7 +58,7 @@ std::string folded(const std::string& text, std::size_t room) {
     return out;
 }
 
-/// Without blanks at the end, and without continuing lines that would be blank.
+/// A row without blanks at the end of lines, and without continuing lines that would be blank.
 std::string row_text(const Table& table, const std::vector<SetColumn>& columns, const std::vector<TableCell>& row,
                      const TextStyle& style) {
     std::string out;

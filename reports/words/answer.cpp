@@ -25,7 +25,7 @@ namespace {
 using studies::ConfigurationEstimate;
 using studies::StudyResults;
 
-/// A clause for each ranking; those of rates or errors of a scene share one where the same is said.
+/// A clause for each ranking; rankings of rates or errors of a scene share one where it would be the same.
 std::vector<std::string> clauses_of(const studies::StudyPlan& plan, const std::vector<Ranking>& rankings) {
     std::vector<std::string> clauses;
     for (auto first = rankings.begin(); first != rankings.end();) {

@@ -81,7 +81,7 @@ const studies::Method& method_of(const studies::StudyPlan& plan, const VarianceR
     return plan.spec.methods[plan.cells[reduction.cell].method];
 }
 
-/// Beside each method with one sequence a face, the one that differs from it in this only.
+/// For each method with one sequence per face, the one that differs from it only in this.
 const VarianceReduction* with_a_sequence_a_patch(const studies::StudyResults& results, const VarianceReduction& face) {
     const studies::StudyPlan& plan = results.findings.plan;
     const studies::Method& method = method_of(plan, face);
@@ -106,7 +106,7 @@ bool is_below_the_top(const studies::StudyResults& results, std::size_t cell) {
 /// The constants of c/m in one sentence; empty without laws.
 std::vector<std::string> error_laws_in_brief(const studies::StudyResults& results) {
     std::vector<std::string> laws;
-    if (!results.occlusion.empty()) return laws;  // row sums are not what its scenes are about
+    if (!results.occlusion.empty()) return laws;  // its scenes are not about row sums
     for (const studies::ErrorLaw& law : results.error_laws) {
         laws.push_back(fmt::format("{:+.4f} for {}{} (within {} %)", law.first_order.coefficient, law.method,
                                    law.published ? " as printed" : "",
@@ -162,7 +162,7 @@ std::string factor_text(const VarianceReduction& reduction) {
 std::vector<std::string> reductions_in_brief(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     std::vector<std::string> lines;
-    if (!results.occlusion.empty()) return lines;  // its scenes differ in what hides, and are told together
+    if (!results.occlusion.empty()) return lines;  // its scenes differ in what hides, and are described together
     for (const Ranking& ranking : rank_variances(results)) {
         if (!is_below_the_top(results, *ranking.random_cell)) lines.push_back(sentence(ranking, plan));
     }

@@ -23,13 +23,13 @@ namespace ff::samplers {
 inline constexpr std::uint32_t group_bits = 4;
 inline constexpr std::uint32_t group_size = 1u << group_bits;
 
-/// One coordinate of the sequence with the bits reversed, as the hash wants them.
+/// One coordinate of the sequence with the bits reversed, as the hash needs them.
 struct ReversedSobol {
     std::array<std::uint32_t, 32> direction{};
     alignas(64) std::array<std::uint32_t, group_size> low{};  ///< coordinate of the points of group 0
     std::array<std::uint32_t, 32> step{};  ///< what changes from group g to g + 1, by the number of trailing ones of g
 
-    /// What the points of a group have in common.
+    /// The part that the points of a group have in common.
     [[nodiscard]] std::uint32_t base(std::uint32_t group) const {
         std::uint32_t x = 0;
         for (; group != 0; group &= group - 1)

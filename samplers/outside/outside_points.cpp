@@ -63,7 +63,7 @@ FillPart parts_of(MakeSet make) {
         };
         thread_local Kept kept;
         if (kept.maker != maker || kept.request != request) {
-            kept.maker = 0;  // where `make` fails
+            kept.maker = 0;  // in case `make` fails
             make(request, kept.set);
             FF_ENSURE(kept.set.points >= request.points && kept.set.dimension >= request.dimension);
             kept.request = request;

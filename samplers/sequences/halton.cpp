@@ -12,7 +12,7 @@ constexpr std::array<std::uint32_t, max_dimension> bases{2, 3, 5, 7};
 constexpr std::uint32_t max_base = 7;
 constexpr std::uint32_t max_index_digits = 32;  // of a 32-bit index, in base 2
 
-/// What each digit, permuted, adds to the coordinate times 2^64.
+/// The contribution of each permuted digit to the coordinate times 2^64.
 using DigitValues = std::array<std::uint64_t, max_base>;
 
 /// A uniformly random permutation of the digits (to 2e-6 of each one's probability) from one word, scaled.
@@ -83,7 +83,7 @@ class RadicalInverse {
     std::uint32_t digits_;
     std::array<DigitValues, max_index_digits> values_;
     std::array<std::uint32_t, max_index_digits> digit_{};
-    /// [j]: what digits j and higher add to the coordinate, the endless zeros included, in units of 2^-64.
+    /// [j]: the contribution of digits j and higher to the coordinate, including the endless zeros, in units of 2^-64.
     std::array<std::uint64_t, max_index_digits + 1> sum_from_{};
 };
 

@@ -112,7 +112,7 @@ double binomial_two_sided_p(Proportion counts, double probability) {
 
     const Binomial law(static_cast<double>(counts.trials), probability);
     const auto likelihood = [&law](std::uint64_t hits) { return pdf(law, static_cast<double>(hits)); };
-    // Outcomes equally likely but for rounding count as equally likely, as in R and SciPy.
+    // Outcomes that are equally likely up to rounding count as equally likely, as in R and SciPy.
     const double seen = likelihood(counts.hits) * (1 + 1e-7);
     const auto mode =
         std::min(static_cast<std::uint64_t>((static_cast<double>(counts.trials) + 1) * probability), counts.trials);

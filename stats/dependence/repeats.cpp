@@ -68,8 +68,8 @@ struct Occurrences {
     std::size_t second = 0;
 };
 
-/// So few sites lie between the least and the largest value that any number of values fills them: counts of rare events
-/// and values that are one of a few. That they repeat says nothing.
+/// Limit of the number of sites between the least and the largest value below which any number of values fills them:
+/// counts of rare events, or values out of a few. Their repeats say nothing.
 bool is_coarse(const std::vector<double>& distinct, double spacing) {
     if (distinct.size() < 3) return true;
     const double sites =
@@ -139,12 +139,13 @@ bool differences_repeat(const std::vector<double>& distinct, double grain) {
     return 100 * equal > differences.size();
 }
 
-/// Values printed with ten digits or more; with fewer, ratios and sums of counts cannot be told from real numbers.
+/// Values printed with ten digits or more; with fewer, ratios and sums of counts cannot be distinguished from real
+/// numbers.
 constexpr double finest_printed = 1.001e-9;
 
-/// Whether ascending distinct values, of n in all, lie on a lattice. One with so many sites that n values hardly ever
-/// share one explains no repeats, and may be what chance makes of the gaps; values that occur four times each fill
-/// theirs.
+/// Whether ascending distinct values, of n in all, lie on a lattice. A lattice with so many sites that n values hardly
+/// ever share one explains no repeats, and the gaps may suggest it by chance; values that occur four times each fill
+/// their sites.
 bool lie_on_lattice(const std::vector<double>& distinct, std::size_t n) {
     const double spacing = find_spacing(distinct);
     const auto all = static_cast<double>(n);
@@ -165,7 +166,7 @@ bool are_roots_of_counts(const std::vector<double>& distinct, double grain) {
     return find_spacing(squares, rounding) > 1000 * rounding * largest;  // a finer one is made by chance
 }
 
-/// So few different values that each counts, also the least and the largest.
+/// With this few different values each of them counts, including the least and the largest.
 constexpr std::size_t most_few = 4;
 
 /// Whether ascending distinct values, of n in all, are real numbers, which chance never makes equal.
@@ -180,8 +181,8 @@ bool are_real(const std::vector<double>& distinct, std::size_t n, double coarses
     return 4 * ratios < distinct.size() && !differences_repeat(distinct, grain);
 }
 
-/// The same of two to four values: none is 0 or short, nor are they, their differences or the ratios of these ratios of
-/// whole numbers, as those of shifted or weighted counts are.
+/// The same for two to four values: none is 0 or short, and neither they, nor their differences, nor the ratios of
+/// these are ratios of whole numbers, as those of shifted or weighted counts are.
 bool are_few_reals(const std::vector<double>& distinct) {
     if (distinct.size() < 2 || distinct.size() > most_few || relative_grain(distinct) > 0) return false;
     constexpr double exact = 0x1p-50;

@@ -86,7 +86,7 @@ std::optional<double> distance_to_box(std::span<const double> x, std::span<const
     if (!factorise(correlation)) return std::nullopt;
     const Matrix precision = inverse_of(correlation);
 
-    // All in standard deviations, from x.
+    // Everything in units of standard deviations, relative to x.
     std::vector<double> least(size);
     std::vector<double> most(size);
     std::vector<double> step(size);

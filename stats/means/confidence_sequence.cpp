@@ -44,7 +44,7 @@ Interval bounded_sequence(std::span<const double> values, double low, double hig
     double weighted = 0;
     double variation = 0;
     double sum = 0.5;       // of the values before, with one in the middle
-    double squares = 0.25;  // about their running means, with the largest that one can have
+    double squares = 0.25;  // about their running means, beginning with the largest possible one
     double count = 1;
     for (const double value : values) {
         const double x = (value - low) / width;

@@ -15,7 +15,7 @@ MeanEvidence less(const MeanEvidence& second, const MeanEvidence& first) {
     MeanEvidence both = second;
     both.difference = second.difference - first.difference;
     both.standard_error = std::hypot(first.standard_error, second.standard_error);
-    // As shares of the whole: squares of variances of 1e-160 would be 0.
+    // Computed as shares of the whole: squares of variances of 1e-160 would be 0.
     const double a = std::pow(first.standard_error / both.standard_error, 2);
     const double b = std::pow(second.standard_error / both.standard_error, 2);
     both.freedom = 1 / (a * a / first.freedom + b * b / second.freedom);
@@ -34,7 +34,7 @@ MeanEvidence less(const MeanEvidence& second, const MeanEvidence& first) {
     return both;
 }
 
-/// A mean, or one without spread, about the first value: what is far from 0 keeps its digits.
+/// A mean, with or without spread, computed about the first value, so that values far from 0 keep their digits.
 MeanEvidence mean_of(std::span<const double> values, double reference) {
     if (const auto evidence = mean_evidence(values, reference)) return *evidence;
     return {.difference = values.front() - reference, .freedom = 1, .skewness = {}, .method = {}, .n = values.size()};
@@ -59,7 +59,7 @@ double Unmet::reach(double tail) const {
 std::optional<MeanEvidence> mean_evidence(std::span<const double> values, double reference, const KnownLimits& limits,
                                           const std::optional<Autocorrelation>& correlation) {
     if (values.size() < 3) return std::nullopt;
-    // Its spread about a value of its own, so that a reference far away costs no digits of it.
+    // The spread is computed about one of the values, so that a distant reference costs no digits.
     const Moments moments = moments_of(values, values.front());
     const double independent = *moments.standard_error();
     const auto n = static_cast<double>(values.size());

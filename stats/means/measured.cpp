@@ -12,14 +12,14 @@ namespace {
 double reach_of(const Measured::Part& part, int side, double tail) {
     const int of_mean = part.weight < 0 ? -side : side;
     const MeanEvidence& mean = part.mean;
-    // What no evaluation has met makes a mean square larger, never smaller.
+    // Values that no evaluation has met can only increase a mean square.
     const double reach =
         mean.reach_of_met(of_mean, tail) + (of_mean > 0 ? mean.unmet.reach(mean.unmet.tail_of_unmet(tail)) : 0);
     const double weight = std::abs(part.weight);
     return weight * (part.logarithm ? gate::reach_of_logarithm(of_mean, reach / mean.difference) : reach);
 }
 
-/// Both reaches as the sides of a triangle.
+/// Both reaches, added as the sides of a right triangle.
 double reach_of_difference(const Measured& first, const Measured& second, int side, double tail, double correlation) {
     const double a = second.reach(side, tail);
     const double b = first.reach(-side, tail);

@@ -10,7 +10,7 @@
 namespace ff::stats {
 namespace {
 
-/// More trials than any study has; keeps what follows within 64 bits.
+/// More trials than any study has; keeps the following computations within 64 bits.
 constexpr double most_trials = 1e18;
 
 std::uint64_t at_least_pilot(Pilot pilot, double trials) {

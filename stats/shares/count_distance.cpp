@@ -60,8 +60,8 @@ double less_bias(double o) {
     return o < many ? o * (boost::math::digamma(o) - std::log(o)) : -0.5 - 1 / (12 * o);
 }
 
-/// What a cell of e expected events adds to the variance of the statistic beyond 2: 2 / (3 e) of many, and at most this
-/// from `least_expected` on.
+/// The contribution of a cell with e expected events to the variance of the statistic, beyond 2: 2 / (3 e) for many
+/// events, and at most this from `least_expected` on.
 double more_variance(double e) {
     constexpr double most = 0.76;
     return most / e;
@@ -88,8 +88,8 @@ double add_sample(CountDistance& found, const std::vector<double>& counts, const
     return squares - sum * sum / sum_of(counts);
 }
 
-/// What the number of cells adds. Noise makes up as much of `variance_of_ratios` as of the statistic; divided by a
-/// distance that may be noise, the difference would be anything.
+/// The contribution of the number of cells. Noise is as large a part of `variance_of_ratios` as of the statistic;
+/// dividing by a distance that may be noise could give any difference.
 void complete(CountDistance& found, const std::vector<double>& smallest, double variance_of_ratios) {
     const auto cells = static_cast<double>(smallest.size());
     found.freedom = cells - 1;

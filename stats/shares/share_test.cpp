@@ -21,8 +21,8 @@ double critical_t(double tail, double freedom) {
     return std::isinf(freedom) ? normal_critical(tail) : student_critical(freedom, tail);
 }
 
-/// P(a reference at most as large as the one seen), were its true value `truth`. Falls with `truth`; no probability is
-/// above 1.
+/// P(a reference at most as large as the observed one) if its true value is `truth`. Falls with `truth`; no probability
+/// is above 1.
 double p_of_reference(const ShareReference& reference, double truth) {
     if (reference.counts) return truth >= 1 ? 0 : binomial_lower_p(*reference.counts, truth);
     return tail_of_t((truth - reference.value) / reference.standard_error, reference.freedom);
@@ -38,7 +38,7 @@ Proportion misses(Proportion counts) {
     return {counts.trials - counts.hits, counts.trials};
 }
 
-/// The same comparison told in misses.
+/// The same comparison in terms of misses.
 ShareReference misses(const ShareReference& reference) {
     ShareReference mirrored = reference;
     mirrored.value = 1 - reference.value;

@@ -19,7 +19,7 @@ constexpr double largest_shape = 2.0 / 3;  // of the outer tenth about the media
 constexpr std::size_t fewest_of_the_tail = 10;
 constexpr std::size_t enough_values = 1000;  // to show that a tail as light as the exponential one has a variance
 constexpr std::size_t enough_pooled = 500;   // for a tail as light as the normal one
-constexpr double light_alpha = 0.05;         // of calling one finite that is not
+constexpr double light_alpha = 0.05;         // of calling a variance finite that is not
 
 /// Index of both tails together by Hill's estimate about the median; empty where too many values are equal to it.
 std::optional<double> outer_index(std::span<const double> values) {
@@ -30,7 +30,7 @@ std::optional<double> outer_index(std::span<const double> values) {
     return tail && tail->shape > largest_shape ? tail->index : std::nullopt;
 }
 
-/// By the tail index of either side; from `enough` values on both have to be shown to be above 2.
+/// Judges by the tail index of either side; from `enough` values on, both have to be shown to be above 2.
 std::optional<TailDoubt> doubt_indices(std::span<const double> values, std::size_t enough) {
     using enum TailDoubt::Reason;
     std::vector<double> side(values.begin(), values.end());

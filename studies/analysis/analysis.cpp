@@ -29,7 +29,7 @@ double detectable_in_sigmas(const StudyPlan& plan, std::size_t pairs, std::size_
     return gain * stats::minimum_detectable_bias(1.0, behind_spread, {level_of_pair(plan, pairs), plan.spec.power});
 }
 
-/// Finite where it is so for every one of these pairs.
+/// Finite where it is finite for every one of these pairs.
 VarianceStatus class_variance(const CellAnalysis& findings, const std::vector<Quantity>& pairs) {
     VarianceStatus worst = VarianceStatus::finite;
     for (const Quantity pair : pairs) {
@@ -41,7 +41,7 @@ VarianceStatus class_variance(const CellAnalysis& findings, const std::vector<Qu
     return worst;
 }
 
-/// Nothing is asked of our own methods, which use all of their seeds.
+/// Our own methods, which use all of their seeds, are not checked.
 std::size_t repeated_trials(const Method& method, const CellEstimates& estimates, const std::vector<Quantity>& pairs) {
     if (samplers::find_added(method.sampler) == nullptr && find_added_estimator(method.estimator) == nullptr) return 0;
     std::vector<std::span<const double>> series;
@@ -49,7 +49,7 @@ std::size_t repeated_trials(const Method& method, const CellEstimates& estimates
     return stats::repeated_trials(series);
 }
 
-/// Takes back what rests on trials being independent.
+/// Withdraws all results that rest on independent trials.
 void withdraw_evidence(CellAnalysis& findings) {
     for (Summary& summary : findings.summaries) {
         summary.bias_se.reset();

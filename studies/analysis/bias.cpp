@@ -91,7 +91,7 @@ struct PairTester {
     }
 };
 
-/// Nothing is said of a mean whose trials may have no variance.
+/// No statement is made about a mean whose trials may have no variance.
 void withdraw(PairTest& found) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     found.test.p = 1;
@@ -99,8 +99,7 @@ void withdraw(PairTest& found) {
         std::tie(interval->low, interval->high) = std::pair(-infinity, infinity);
 }
 
-/// Withdraws what would be said of pairs whose tails are doubted, by their own trials or by those of all pairs
-/// together.
+/// Withdraws statements about pairs whose tails are in doubt, by their own trials or by those of all pairs together.
 /// @return whether there are any
 bool withdraw_heavy_tails(const CellEstimates& estimates, std::span<const Quantity> pairs,
                           std::vector<std::optional<PairTest>>& tests) {
@@ -118,15 +117,15 @@ bool withdraw_heavy_tails(const CellEstimates& estimates, std::span<const Quanti
     return some;
 }
 
-/// Withdraws what would be said of pairs whose t is not rare in samples of the trials of all pairs together: where a
-/// second hump or a long tail is met by one trial in ten, some pair of thirty has not met it in forty trials, while
-/// the others have.
+/// Withdraws statements about pairs whose t is not rare in samples of the trials of all pairs together: where a second
+/// hump or a long tail is met by one trial in ten, some pair of thirty has not met it in forty trials, while the others
+/// have.
 /// @return whether there are any
 bool withdraw_what_others_explain(const PairTester& tester, std::span<const Quantity> pairs,
                                   std::vector<std::optional<PairTest>>& tests) {
-    constexpr std::size_t most_values = 20'000'000;  // that are drawn: a third of a second
+    constexpr std::size_t most_values = 20'000'000;  // number of values drawn: a third of a second
     constexpr std::size_t most_samples = 200'000;
-    constexpr std::size_t many_trials = 400;  // whose own skewness shows all that the others have
+    constexpr std::size_t many_trials = 400;  // whose own skewness shows as much as that of the others
     const CellEstimates& estimates = tester.estimates;
     const auto trials = estimates.trials();
     const auto found_biased = [&](const std::optional<PairTest>& test) {

@@ -130,7 +130,7 @@ ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std
     found.rmse = std::sqrt(*stats::moments_of(squares).mean());
     found.median_abs_error = *stats::median_absolute_error(errors, 0);
     found.bias = *stats::moments_of(means).mean();
-    // Too few hits make no test of a mean, but their spread is one all the same.
+    // Too few hits do not allow a test of a mean, but their spread can be measured.
     if (status == VarianceStatus::finite || status == VarianceStatus::sparse)
         add_variance(errors, level, unmet_squares(unmet, evaluations), found);
     if (status != VarianceStatus::finite) return found;

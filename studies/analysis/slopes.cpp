@@ -84,7 +84,7 @@ void fit(std::span<const stats::Rung> rungs, double level, const stats::LadderDr
     if (slope.expected) slope.p = p_of_expected(slope, rate->standard_error);
 }
 
-/// All that is fitted to one ladder.
+/// Everything that is fitted to one ladder.
 class LadderFit {
   public:
     LadderFit(const CellReader& cells, const Analysis& findings, const Ladder& ladder)
@@ -180,7 +180,7 @@ class LadderFit {
         slope.p = rate ? std::max(*slope.p, stats::p_of_equal(nearest, *rate)) : 1;
     }
 
-    /// Sparse hits make no test of a mean, but their spread is one all the same.
+    /// Sparse hits do not allow a test of a mean, but their spread can be measured.
     [[nodiscard]] VarianceStatus variance_of(Quantity pair) const {
         const VarianceStatus status = findings_.cells[ladder_.cells.front()].summary(pair).variance;
         return status == VarianceStatus::sparse ? VarianceStatus::finite : status;

@@ -100,7 +100,8 @@ void add_spread(std::span<const double> values, const stats::Moments& moments, c
     add_mean(values, request, summary);
 }
 
-/// From here up (damaged stores hold such values) fourth powers are infinite: a value counts as infinite itself.
+/// From here on (damaged stores contain such values) fourth powers are infinite, so that the value itself counts as
+/// infinite.
 constexpr double largest_value = 1e75;
 
 }  // namespace
@@ -142,7 +143,7 @@ Summary summarise(std::span<const double> values, const SummaryRequest& request)
         std::count_if(values.begin(), values.end(), [](double value) { return std::abs(value) < largest_value; });
     summary.not_finite = values.size() - static_cast<std::size_t>(finite);
     if (summary.not_finite > 0) {
-        // The others alone would be the trials that happened to go well.
+        // The remaining trials would only be those that happened to go well.
         summary.variance = VarianceStatus::undefined;
         return summary;
     }

@@ -48,8 +48,8 @@ class Auditor {
 
     // How values are printed, what errors are relative to and what columns mean -----------------------------------
 
-    /// Formats are chosen by what they leave contradictory, which depends on references and readings; these depend on
-    /// formats, though hardly, so that a second round is the last.
+    /// Formats are chosen by the contradictions that they leave, which depend on references and readings; these depend
+    /// on formats only slightly, so that two rounds are enough.
     void infer() {
         for (const Experiment& experiment : experiments_) {
             const bool known = std::any_of(report_.formats.begin(), report_.formats.end(),
@@ -206,7 +206,7 @@ class Auditor {
         if (experiment.rays_per_face) recover_hits(model, diagnoses.front().diagnosis.ranges);
     }
 
-    /// What may have gone wrong, where the figures show it.
+    /// The possible cause of an error, where the figures show it.
     void add_hints(Finding& finding, const Interpretation& interpretation) const {
         for (const Correction& correction : finding.corrections) {
             const Figure& figure = tables_.figures[correction.figure];

@@ -10,7 +10,7 @@
 namespace ff::studies::audit {
 namespace {
 
-/// What a blamed figure should print: the range of its constraint's left side.
+/// The values that a blamed figure should print: the range of its constraint's left side.
 Range predicted(const Constraint& constraint, const std::vector<Range>& ranges) {
     Range sum{0, 0};
     for (const Term& term : constraint.terms) {

@@ -8,7 +8,7 @@
 namespace ff::studies::audit {
 namespace {
 
-/// Trailing zeros behind the point say nothing.
+/// Trailing zeros after the decimal point say nothing.
 std::string_view without_zeros(std::string_view text) {
     if (text.find('.') == std::string_view::npos) return text;
     while (text.size() > 1 && text.back() == '0' && text[text.size() - 2] != '.') text.remove_suffix(1);
@@ -19,7 +19,7 @@ int distance(std::string_view printed, std::string_view meant) {
     return std::min(misprint_distance(printed, meant), misprint_distance(without_zeros(printed), without_zeros(meant)));
 }
 
-/// Whether a number that is printed so can lie in the range.
+/// Whether a number that is printed in this way can lie in the range.
 bool is_possible(std::string_view text, Range values, NumberFormat format, std::optional<std::uint64_t> rays) {
     const auto number = parse_printed(text);
     const auto range = number ? printed_range(*number, format) : std::nullopt;

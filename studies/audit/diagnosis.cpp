@@ -20,7 +20,7 @@ bool is_hit(const Conflict& conflict, const Blame& blame) {
     return std::any_of(conflict.begin(), conflict.end(), [&](std::size_t s) { return blame[s]; });
 }
 
-/// What a search may still take. Some seconds; it may double with every conflict.
+/// The budget that a search has left: some seconds, since its time may double with every conflict.
 struct Budget {
     std::uint64_t steps = 50'000'000;
 };
@@ -42,7 +42,7 @@ class HittingSet {
     [[nodiscard]] const std::optional<Blame>& best() const { return best_; }
 
   private:
-    /// What is left to do: the conflict with the fewest ways to hit it, and the least that hitting all will cost.
+    /// The remaining work: the conflict with the fewest ways to hit it, and the least cost of hitting all conflicts.
     struct Rest {
         std::optional<Conflict> narrowest;  ///< only suspects that may be chosen
         double least_cost = 0;
@@ -149,7 +149,7 @@ Diagnosis find_greedily(const ConstraintSystem& system, std::vector<Conflict> co
 /// there is none or the budget is used up.
 std::optional<Diagnosis> cheapest(const ConstraintSystem& system, std::vector<Conflict>& conflicts,
                                   const Spared& spared, double limit, Budget& budget) {
-    constexpr std::size_t most_conflicts = 60;  // that are worth finding for an alternative
+    constexpr std::size_t most_conflicts = 60;  // conflicts that are worth finding for an alternative
     for (;;) {
         const HittingSet hitting(system, conflicts, spared, limit, budget);
         if (!hitting.best() || budget.steps == 0) return std::nullopt;

@@ -230,7 +230,7 @@ class ModelBuilder {
         return model_.pairs.at(*facts_.face(figure.from) * faces_ + *facts_.face(figure.to));
     }
 
-    /// By variable of a pair: the smallest range with all that its prints allow.
+    /// For each variable of a pair, the smallest range that contains everything its prints allow.
     [[nodiscard]] std::map<std::size_t, Range> printed_variables() const {
         std::map<std::size_t, Range> printed;
         for (const std::size_t f : experiment_.figures) {
@@ -288,7 +288,7 @@ class ModelBuilder {
         });
     }
 
-    /// What is equal for figures that print the same quantity with the same digits.
+    /// The key that figures share if they print the same quantity with the same digits.
     using Print = std::tuple<FigureKind, std::string, double, std::size_t, double>;
     [[nodiscard]] static Print print_of(const Figure& figure, const Constraint& constraint) {
         const Term& term = constraint.terms.front();

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double infinity_of_causes = std::numeric_limits<double>::infinity();
 
-/// What a format pays for contradicting the publication: the misprints that have `refuting_odds` together.
+/// The cost of a format that contradicts the publication: as many misprints as have `refuting_odds` together.
 double handicap(const PublishedTables& tables, NumberFormat format) {
     const auto stated = stated_rounding(tables);
     return !stated || *stated == format.rounding ? 0 : std::log(refuting_odds) / -std::log(misprint_share);

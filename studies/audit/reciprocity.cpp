@@ -39,7 +39,7 @@ std::vector<TiedPair> tied_pairs(const ExperimentModel& model) {
     return tied;
 }
 
-/// What is printed both ways, counted.
+/// Counts of the pairs that are printed both ways.
 struct BothWays {
     std::size_t kept = 0;
     std::size_t broken = 0;

@@ -59,7 +59,7 @@ std::vector<double> area_errors(const Scene& scene, const std::vector<double>& a
     return errors;
 }
 
-/// Limits that all hold at once but with probability 1e-6, far less than what else the audit may do wrong.
+/// Limits that all hold at once, except with probability 1e-6, which is far below the other risks of the audit.
 void find_limits(SceneFacts& facts) {
     namespace matrices = form_factors;
     matrices::Request request;

@@ -100,7 +100,7 @@ Contenders contenders(const ClaimEvidence& evidence, const PublishedClaim& claim
     return {sorted("parallel"), sorted("adjacent")};
 }
 
-/// Those that are not shown to err more than the first, which is not shown to be the best then: "A or B".
+/// The methods that are not shown to err more than the first, which then is not shown to be the best: "A or B".
 std::string unbeaten(const std::vector<Contender>& sorted) {
     std::vector<std::string> names;
     for (const Contender& each : sorted) {
@@ -110,7 +110,7 @@ std::string unbeaten(const std::vector<Contender>& sorted) {
     return fmt::format("{}", fmt::join(names, " or "));
 }
 
-/// The best; all of them where nothing is left but rounding, which makes no winner.
+/// The best method; all of them where only rounding is left, so that there is no winner.
 std::string best_in_words(const std::vector<Contender>& sorted) {
     if (sorted.empty()) return "none";
     if (!sorted.front().is_exact()) return fmt::format("{} ({:.2g} %)", unbeaten(sorted), sorted.front().error.mean);
@@ -122,7 +122,7 @@ std::string best_in_words(const std::vector<Contender>& sorted) {
     return fmt::format("{} (exact to rounding)", fmt::join(exact, ", "));
 }
 
-/// The best method of a kind, and between what its error lies, whichever of them is the best.
+/// The best method of a kind, and the range of its error, whichever of them is the best.
 struct BestOfKind {
     std::string words;
     double low = 0;
@@ -189,7 +189,7 @@ std::string advice_in_words(const PublishedClaim& claim, ClaimVerdict verdict, c
                on_adjacent->evidence);
 }
 
-/// The comparison of the two methods, and who is best of all.
+/// The comparison of the two methods, and the best one of all.
 Judgement judge_division_among(const ClaimEvidence& evidence, const PublishedClaim& claim, const Contenders& all) {
     const Judgement parallel = judge_class(evidence, claim, 0, 1, "parallel");
     const Judgement adjacent = judge_class(evidence, claim, 1, 0, "adjacent");

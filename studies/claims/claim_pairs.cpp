@@ -46,7 +46,7 @@ std::vector<Opponent> opponents(const ClaimEvidence& evidence, const PublishedCl
     return list;
 }
 
-/// The verdict against the first opponent, and a word where another gives a different one.
+/// The verdict against the first opponent, with a remark where another opponent leads to a different one.
 template <typename Judge>
 Judgement against_each(const std::vector<Opponent>& rivals, const Judge& judge) {
     Judgement all;
@@ -124,7 +124,7 @@ Judgement judge_uniform(const ClaimEvidence& evidence, const PublishedClaim& cla
     return judgement;
 }
 
-/// What all runs together tell about which pairs are harder; empty where a pair's variance is not known to be finite.
+/// What all runs together say about which pairs are harder; empty where a pair's variance is not known to be finite.
 std::string hardest_and_easiest(const ClaimEvidence& evidence, std::size_t cell, const std::vector<Quantity>& pairs) {
     const StudyPlan& plan = evidence.findings().plan;
     const CellAnalysis& found = evidence.findings().cells[cell];

@@ -31,7 +31,7 @@ std::string percent(const Share& share) {
 
 namespace {
 
-/// What a verdict is made from: intervals of mean errors, or shares and ranges of single runs.
+/// The basis of a verdict: intervals of mean errors, or shares and ranges of single runs.
 enum class Basis { means, runs };
 
 struct Kind {

@@ -43,7 +43,7 @@ std::optional<Rung> rung_of(const Analysis& findings, std::size_t index, PairCla
     const CellAnalysis& found = findings.cells[index];
     const Cell& cell = findings.plan.cells[found.cell];
     const ClassError* error = found.class_error(pair_class);
-    // No ratio is formed to what is exact to rounding.
+    // No ratio to a value that is exact up to rounding is formed.
     if (error == nullptr || found.has_infinite_variance(pair_class) || error->rmse < rounding_error)
         return std::nullopt;
     if (estimator_info(findings.plan.spec.methods[cell.method]).exact || may_be_luck(findings.plan, cell))
@@ -208,7 +208,7 @@ double shared_noise(const CellReader& cells, std::size_t a, std::size_t b, PairC
     return squares_x > 0 && squares_y > 0 ? products / std::sqrt(squares_x * squares_y) : 0;
 }
 
-/// The contests of a scene and class at one thing equal, whose intervals hold together.
+/// The contests of a scene and class with the same thing equal, whose intervals hold together.
 class Family {
   public:
     Family(const CellReader& cells, Contest kind, const std::vector<Contender>& all) : cells_(&cells) {

@@ -118,7 +118,7 @@ std::vector<Ranked> rank_errors(const Analysis& findings, std::span<const std::s
     for (const std::size_t cell : cells) {
         const ClassError* error = findings.cells[cell].class_error(pair_class);
         if (error == nullptr || findings.cells[cell].has_infinite_variance(pair_class)) continue;
-        // Where nothing is left but rounding, trials would not show more.
+        // Where only rounding is left, more trials would not show more.
         const bool certain = findings.plan.cells[cell].deterministic || error->rmse < rounding_error;
         if (!certain && !error->mean_square) continue;
         measured.push_back(certain ? stats::Measured{std::log(std::max(error->rmse, rounding_error)), {}}

@@ -28,7 +28,7 @@ std::vector<std::size_t> published_rivals(const Analysis& findings, const std::v
     return {};
 }
 
-/// Whether no pair is off by more than rounding, as it is at every size then.
+/// Whether the error of every pair is rounding, and thus so at every size.
 bool is_exact_to_rounding(const CellAnalysis& found) {
     return !found.class_errors.empty() &&
            std::all_of(found.class_errors.begin(), found.class_errors.end(),

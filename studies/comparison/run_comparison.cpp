@@ -144,7 +144,7 @@ void test_pairs(const CellEstimates& a, const CellEstimates& b, const Analysis& 
     }
 }
 
-/// All pairs of a class together see a small difference of all of them, which no pair shows by itself.
+/// All pairs of a class together reveal a small difference that they share, which no single pair shows.
 void test_classes(std::size_t index, const CellComparison& cell, std::vector<Test>& tests) {
     for (std::size_t i = 0; i < cell.ratios.size(); ++i) {
         const auto& logarithms = cell.ratios[i].logarithms;
@@ -154,7 +154,8 @@ void test_classes(std::size_t index, const CellComparison& cell, std::vector<Tes
     }
 }
 
-/// Values of the same random numbers are to be equal, whatever is made of them: the direct estimates are compared.
+/// Values from the same random numbers have to be equal before they are processed further: the direct estimates are
+/// compared.
 void compare_trials(const Store& first, const Store& second, CellComparison& cell) {
     const auto a = load_estimates(first, cell.first, Completion::direct);
     const auto b = load_estimates(second, cell.second, Completion::direct);

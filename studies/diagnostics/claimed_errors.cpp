@@ -17,7 +17,7 @@ namespace {
 
 constexpr double rounding = 1e-12;
 
-/// Who claims something of a cell.
+/// The sources of claims about a cell.
 std::vector<Claimant> claimants(const Store& store, std::size_t cell) {
     const Method& method = store.plan().spec.methods[store.plan().cells[cell].method];
     std::vector<Claimant> found;
@@ -34,7 +34,7 @@ double promised(const StudyPlan& plan, std::size_t cell, Claimant claimant) {
     return plan.spec.methods[plan.cells[cell].method].claimed_level.value_or(1);
 }
 
-/// What is claimed of a pair, by trial.
+/// The errors claimed for a pair, by trial.
 std::vector<double> claims_on(const Store& store, const CellEstimates& estimates, Quantity pair, Claimant claimant) {
     const StudyPlan& plan = store.plan();
     const auto& values = estimates.values(pair);
@@ -56,7 +56,7 @@ std::vector<double> claims_on(const Store& store, const CellEstimates& estimates
     return claims;
 }
 
-/// What holds on one pair.
+/// How often claims hold on one pair.
 struct PairClaims {
     std::uint64_t held = 0;
     std::vector<double> ratios;  ///< [trial]: |error| / claim

@@ -29,7 +29,7 @@ struct Taken {
     std::size_t trials = 0;
 };
 
-/// What every rule works with: trials of one pair, and what it may know.
+/// The input of every rule: trials of one pair, and what the rule may know.
 struct Task {
     double level = 0;
     double reference = 0;

@@ -26,7 +26,7 @@ Measures measures_of(const samplers::PointSet& set) {
     return {found.l2_star_discrepancy, found.centred_discrepancy, found.largest_gap, found.t_value};
 }
 
-/// Means over a few sets; empty where there are no points to be had.
+/// Means over a few sets; empty where points cannot be made.
 std::optional<Measures> measures_of(std::string_view sampler, std::uint64_t points, std::size_t dimension) {
     Measures means;
     try {
@@ -44,7 +44,7 @@ std::optional<Measures> measures_of(std::string_view sampler, std::uint64_t poin
     return means;
 }
 
-/// What cells have in common that differ in the sampler.
+/// The setting that cells share if they differ only in the sampler.
 using Setting = std::tuple<std::size_t, std::string, Completion, std::uint32_t>;
 Setting setting_of(const StudyPlan& plan, const Cell& cell) {
     const Method& method = plan.spec.methods[cell.method];

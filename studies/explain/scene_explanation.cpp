@@ -14,7 +14,7 @@
 namespace ff::studies {
 namespace {
 
-/// In scenes with more faces, pairs are not looked at one by one.
+/// In scenes with more faces, pairs are not examined one by one.
 constexpr std::size_t most_faces = 256;
 
 void add_origin(const Scene& scene, ExplainedPair& pair) {

@@ -87,7 +87,7 @@ ExitCode assist_form_factors(const Processes& processes, const FormFactorsComman
     kept.request.keep = [&](const studies::form_factors::SampledRow& row) {
         processes.send(studies::form_factors::to_words(row));
     };
-    // Its end would be that of the first process, which saves and writes the matrix.
+    // An end here would also end the first process, which saves and writes the matrix.
     never_end_on_signals();
     const TimeLimit time(command.max_time ? std::optional(parse_duration(*command.max_time)) : std::nullopt);
     const MemoryLimit memory(command.max_memory ? std::optional(parse_size(*command.max_memory)) : std::nullopt);

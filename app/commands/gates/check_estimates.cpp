@@ -16,7 +16,7 @@ namespace {
 
 using studies::gates::Spec;
 
-/// What `make` makes of each gate on what another program gave; nothing is run for them.
+/// The results of `make` for each gate on what another program reported; nothing is run for these gates.
 template <class Make>
 auto each_on_estimates(const Spec& spec, const Make& make) {
     std::vector<decltype(make(spec.gates.front()))> results;
@@ -61,8 +61,8 @@ const File* pointer_to(const std::optional<File>& file) {
     return file ? &*file : nullptr;
 }
 
-/// What one of two functions makes of each gate, the file and the one that it is compared with: `of_trials`, or
-/// `of_reports` where the header is that of means or shares.
+/// The results of one of two functions for each gate, from the file and the one that it is compared with: `of_trials`,
+/// or `of_reports` where the header is that of means or shares.
 template <class OfTrials, class OfReports>
 auto on_estimates(const CheckCommand& command, const Spec& spec, const OfTrials& of_trials,
                   const OfReports& of_reports) {

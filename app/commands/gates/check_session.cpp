@@ -34,7 +34,7 @@ ExitCode exit_code(studies::gates::Verdict verdict) {
                                                       : ExitCode::inconclusive;
 }
 
-/// Each file completely or not at all. @throws IoError
+/// Writes each file completely or not at all. @throws IoError
 void write_verdicts(OutputFolder& folder, const studies::gates::CheckResults& check,
                     const reports::JunitContext& context) {
     folder.write("verdicts.csv", [&](std::ostream& out) { reports::write_verdicts_csv(out, check); });
@@ -85,7 +85,7 @@ studies::gates::Verdict verdict_of(ExitCode code) {
                                       : studies::gates::Verdict::inconclusive;
 }
 
-/// One more look at a commit, with what earlier ones have left of alpha.
+/// One more look at a commit, with the part of alpha that earlier looks have left.
 ExitCode judge_again(CheckSession& session) {
     const auto look = describe_look(session.command, session.spec.seed.value);
     const auto file = ledger_file(session.command);
@@ -126,7 +126,7 @@ void CheckSession::print(const std::string& text) const {
     std::fflush(stdout);
 }
 
-/// The folder for these files, once it is certain that they may be written.
+/// The folder for these files, after checking that they may be written.
 OutputFolder open_folder(const std::filesystem::path& out, const std::vector<std::string>& files) {
     end_on_signals(fmt::format("\nstopped early; the gates that were done are in {}.\n", out.string()));
     return {out, "check", files};

@@ -13,7 +13,7 @@
 namespace ff::app {
 namespace {
 
-/// Reads the ledger, has `change` change it, and writes it, while no other process does.
+/// Reads the ledger, applies `change` and writes it, while no other process does so.
 template <class Change>
 auto change_ledger(const std::filesystem::path& file, const Change& change) {
     const OutputFolder lock(reports::folder_of(file), "ledger");

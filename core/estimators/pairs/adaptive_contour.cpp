@@ -31,7 +31,7 @@ struct Panel {
     double low = 0;
     double high = 1;
     double value = 0;
-    double claim = 0;  ///< how far the value is off, as the two rules tell
+    double claim = 0;  ///< estimated error of the value, from the two rules
 };
 
 bool claims_less(const Panel& a, const Panel& b) {

@@ -16,7 +16,7 @@
 namespace ff {
 namespace {
 
-/// A surface as the kernel sees it: of a parallelogram any of its patches moved to the origin, and the corners of all.
+/// A surface as the kernel sees it: for a parallelogram, one patch moved to the origin, and the corners of all patches.
 struct PatchedSurface {
     const Surface* surface = nullptr;
     std::uint32_t first_patch = 0;  ///< index of its first patch among all patches of the scene
@@ -92,7 +92,8 @@ Parallelogram patch_at(const PatchedSurface& divided, std::size_t patch) {
     return {divided.corners[patch], divided.shape.edge_u, divided.shape.edge_v};
 }
 
-/// The transfer of one pair of patches of any shape, point by point: what the blockers hide counts as 0.
+/// The transfer of one pair of patches of any shape, point by point: pairs of points that blockers hide from each other
+/// count as 0.
 double transfer_in_sight(const SurfacePair& pair, std::size_t source, std::size_t target, const WeightedBlock& block) {
     double sum = 0;
     for (std::size_t i = 0; i < block.size; ++i) {
@@ -138,7 +139,7 @@ GradedPatches find_graded(const SurfacePair& pair, PointMap map) {
     return found;
 }
 
-/// The pairs of one source patch with all patches of a surface but some.
+/// The pairs of one source patch with all patches of a surface except some.
 struct Offsets {
     std::vector<Eigen::Vector3d> offsets;
     std::vector<std::size_t> targets;

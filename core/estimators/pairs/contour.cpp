@@ -36,7 +36,8 @@ struct EdgePair {
     double product = 0;
 };
 
-/// What is known of two rims before any point: pairs of edges to sample, and the sum over those that coincide.
+/// What is known about two rims before any point is drawn: pairs of edges to sample, and the sum over those that
+/// coincide.
 struct RimPair {
     std::vector<EdgePair> sampled;
     double exact = 0;

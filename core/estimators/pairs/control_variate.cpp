@@ -31,7 +31,7 @@ Eigen::MatrixXd unoccluded_factors(const Scene& scene) {
     return factors;
 }
 
-/// What two points would exchange if nothing hid one from the other, where something does.
+/// What two points would exchange if nothing hid one from the other; 0 unless something does.
 double hidden(const PatchPair& pair, const SurfacePoint& from, const SurfacePoint& to) {
     const Eigen::Vector3d apart = to.position - from.position;
     const double leaving = apart.dot(from.normal);

@@ -21,8 +21,8 @@ using Eigen::Vector3d;
 /// How a place on the target was found.
 enum class Way { ray, laid };
 
-/// What a place on the target adds: the density of rays there over that of the way it was found, times that way's
-/// weight. 0 where the two do not see each other.
+/// The contribution of a place on the target: the density of rays there over the density with which the place was
+/// found, times the weight of that technique. 0 where the two places do not see each other.
 double weighted(const PatchPair& pair, const SurfacePoint& from, const Vector3d& place, const Vector3d& normal,
                 Heuristic heuristic, Way way) {
     const Vector3d apart = place - from.position;

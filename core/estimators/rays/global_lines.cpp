@@ -65,7 +65,8 @@ void cross_round(const std::vector<const Surface*>& surfaces, const Line& line, 
     }
 }
 
-/// In their order, by insertion: they are few. Where surfaces lie on each other, those first at which the line arrives.
+/// Sorts crossings by insertion, since they are few. Where surfaces lie on each other, those at which the line arrives
+/// come first.
 void put_in_order(double length, std::vector<Crossing>& crossings) {
     const double grain = 1e-12 * length;
     const auto comes_before = [&](const Crossing& a, const Crossing& b) {

@@ -20,12 +20,12 @@ using studies::IntervalRule;
 constexpr std::array all_rules{IntervalRule::student_t, IntervalRule::normal, IntervalRule::percentile_bootstrap,
                                IntervalRule::two_stage, IntervalRule::look_short};
 
-/// Several rows: the least and the most of them, and how many are significantly short.
+/// Several rows in words: the smallest and the largest coverage, and how many are significantly short.
 struct Range {
     std::vector<const Coverage*> rows;  ///< ascending
     std::ptrdiff_t short_of = 0;
 
-    /// Whether so few intervals were made that not one row tells its coverage to a half.
+    /// Whether so few intervals were made that no row determines its coverage to within a half.
     [[nodiscard]] bool tells_nothing() const {
         return std::all_of(rows.begin(), rows.end(),
                            [](const Coverage* row) { return row->coverage_interval.width() > 0.5; });

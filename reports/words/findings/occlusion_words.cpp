@@ -26,7 +26,7 @@ bool is_partly_hidden(const HiddenPair& scene) {
     return scene.hidden > 0 && scene.exact > 0;
 }
 
-/// All scenes of all series that a condition holds for.
+/// All scenes of all series for which a condition holds.
 template <class Condition>
 std::vector<const HiddenPair*> scenes_where(const StudyResults& results, Condition holds) {
     std::vector<const HiddenPair*> found;
@@ -41,7 +41,8 @@ std::vector<const HiddenPair*> scenes_where(const StudyResults& results, Conditi
 /// Slopes of one method, in ascending order.
 struct Slopes {
     std::vector<double> values;
-    int flat = 0;  ///< that are shown to be flatter than that of random points; without an interval, that are
+    int flat =
+        0;  ///< slopes that are shown to be flatter than that of random points; without an interval, those that are
 };
 
 Slopes slopes_of(const std::vector<const HiddenPair*>& scenes, std::size_t method) {
@@ -81,7 +82,7 @@ std::string share(double hidden) {
     return fmt::format("{:.3g}", hidden);
 }
 
-/// The least error of a scene: its method and, where that is not shown, that it is not.
+/// The smallest error of a scene: its method and, where that is not shown, a remark.
 std::string winner(const StudyResults& results, const HiddenPair& scene) {
     if (!scene.least) return "all are exact";
     const std::string& name = results.findings.plan.spec.methods[*scene.least].name;

@@ -41,13 +41,13 @@ std::string dominance_text(const Consequences& found) {
         brief(found.convergent_below.least, 4));
 }
 
-/// With ± half the width of its interval, if it has one.
+/// The value, with ± half the width of its interval if it has one.
 std::string light_error_text(const studies::radiosity::SettingStatistics& at) {
     return at.light_interval ? percent_with_half_width(*at.light_error, at.light_interval->width() / 2)
                              : percent(*at.light_error);
 }
 
-/// What becomes of the exitance at one setting.
+/// The effect on the exitance at one setting.
 std::string light_text(const studies::StudyPlan& plan, const Consequences& found, std::size_t setting) {
     const studies::radiosity::SettingStatistics& at = found.settings[setting];
     const std::string where = setting_text(plan, setting);
@@ -92,7 +92,7 @@ std::vector<std::string> cell_lines(const studies::StudyResults& results) {
     return lines;
 }
 
-/// What each treatment leaves of the exitance error.
+/// The exitance error that each treatment leaves.
 std::string repair_line(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     const std::size_t told = told_setting(plan);

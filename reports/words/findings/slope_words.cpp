@@ -85,7 +85,7 @@ std::string verdicts_in_words(const std::vector<studies::LadderSlopes>& ladders)
 
 std::vector<std::string> slopes_in_brief(const studies::StudyResults& results) {
     std::vector<std::string> lines;
-    if (results.occlusion.empty()) {  // else scenes differ in what hides, and are told together
+    if (results.occlusion.empty()) {  // otherwise scenes differ in what hides, and are described together
         for (const Ranking& ranking : rank_rates(results)) lines.push_back(sentence(ranking, results.findings.plan));
     }
     if (std::string verdicts = verdicts_in_words(results.slopes); !verdicts.empty())

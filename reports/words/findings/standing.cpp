@@ -22,8 +22,8 @@ using studies::StudyResults;
 struct Leaders {
     std::vector<std::string> names;
     double best = 0;
-    double last = 0;   ///< the value that is last of them
-    bool all = false;  ///< whether nothing comes after them
+    double last = 0;   ///< the worst value among them
+    bool all = false;  ///< whether all methods are among them
 
     [[nodiscard]] bool one() const { return names.size() == 1; }
 
@@ -56,7 +56,7 @@ std::vector<RankedMethod> ranked_cells(const studies::StudyPlan& plan, const std
     return methods;
 }
 
-/// The same of methods with several sizes, which their names have to tell.
+/// The same for methods with several sizes, which their names have to state.
 Leaders leading_sizes(const studies::StudyPlan& plan, const std::vector<Ranked>& ranked) {
     auto methods = ranked_cells(plan, ranked);
     for (std::size_t i = 0; i < ranked.size(); ++i) methods[i].label = cell_label(plan, plan.cells[ranked[i].index]);
@@ -120,7 +120,8 @@ void rank_rates_of_class(const StudyResults& results, Ranking& ranking, double l
     }
     if (last.alone && !best.all)
         ranking.said += fmt::format("; {} slowest ({})", ranking.methods.back().label, slope_and_reach(last));
-    // Those without an interval, as deterministic methods are, may fall faster or slower than all that are ranked.
+    // Errors of methods without an interval, such as deterministic ones, may fall faster or more slowly than all that
+    // are ranked.
     const auto is_beyond = [&](const studies::LadderSlopes& ladder) {
         return ladder.ladder.scene == ranking.scene &&
                std::any_of(ladder.classes.begin(), ladder.classes.end(), [&](const auto& of) {

@@ -52,7 +52,7 @@ std::string biased_in_words(const studies::CellAnalysis& found) {
     return words.append(undefined_in_words(family));
 }
 
-/// A difference that a skewed law without bias would show too.
+/// The words for a difference that a skewed law without bias would show, too.
 std::string inconclusive_in_words(const studies::CellAnalysis& found) {
     const studies::BiasFamily& family = *found.bias;
     if (family.constant)
