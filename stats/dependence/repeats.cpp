@@ -68,8 +68,8 @@ struct Occurrences {
     std::size_t second = 0;
 };
 
-/// Limit of the number of sites between the least and the largest value below which any number of values fills them:
-/// counts of rare events, or values out of a few. Their repeats say nothing.
+/// Whether so few sites lie between the least and the largest value that any number of values fills them: counts of
+/// rare events, or values out of a few. Their repeats say nothing.
 bool is_coarse(const std::vector<double>& distinct, double spacing) {
     if (distinct.size() < 3) return true;
     const double sites =

@@ -35,7 +35,7 @@ Scene with_added_faces(Scene scene, const std::string& surroundings) {
 
 namespace {
 
-/// Inserts exchanges with new faces, each behind the others of its row. @param added  in order
+/// Inserts exchanges with new faces, each after the others of its row. @param added in order
 void insert(Matrix& matrix, const std::vector<FaceExchange>& added) {
     std::vector<FaceExchange> exchanges;
     exchanges.reserve(matrix.exchanges.size() + added.size());
@@ -93,7 +93,7 @@ void add_surroundings(Matrix& matrix) {
         row = {1, 1, 1, false, row.dropped};
     }
     insert(matrix, added);
-    // Where nothing leaves, any area will do.
+    // Where nothing leaves the scene, any area will do.
     const double area = value > 0 ? value : std::accumulate(matrix.areas.begin(), matrix.areas.end(), 0.0);
     matrix.areas.push_back(area);
     matrix.rows.push_back({value / area, low / area, high / area});

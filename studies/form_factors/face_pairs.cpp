@@ -18,7 +18,7 @@
 namespace ff::studies::form_factors {
 namespace {
 
-/// Every pair of surfaces is looked at in scenes with at most this many surfaces, or with at most this many per face.
+/// Every pair of surfaces is examined in scenes with at most this many surfaces, or with at most this many per face.
 constexpr std::size_t most_surfaces = 4096;
 constexpr std::size_t most_surfaces_per_face = 4;
 
@@ -30,10 +30,10 @@ bool is_each_looked_at(const Scene& scene) {
 /// pairs at once.
 constexpr std::size_t most_pairs_by_cells = 256;
 
-/// Pairs whose bounds are this near to each other, in tolerances, are not sampled.
+/// Pairs whose bounds are this close to each other, in tolerances, are not sampled.
 constexpr double near_enough = 0.5;
 
-/// The pair if bounds from geometry are as narrow as is asked for: their middle.
+/// The pair, with the middle of its bounds from geometry, if these are as narrow as requested.
 std::optional<KnownPair> settled(const FacePair& pair, double wanted) {
     const double least = std::max(0.0, pair.known - pair.bound);
     if (!pair.all_unblocked_known || pair.most - least > 2 * near_enough * wanted) return std::nullopt;
@@ -45,7 +45,7 @@ std::optional<KnownPair> settled(const FacePair& pair, double wanted) {
                      ExchangeReason::small};
 }
 
-/// Coordinates of the scene are rounded like the largest of them. That shows where faces are small beside it.
+/// Coordinates of the scene are rounded like the largest of them, which matters for faces that are small beside it.
 void add_resolution(const Scene& scene, FacePairs& pairs) {
     constexpr double noticeable = 1e-9;
     const double step = 4 * std::numeric_limits<double>::epsilon() * farthest_coordinate(scene);
@@ -64,7 +64,7 @@ void expect_few_faces(const Scene& scene) {
                     scene.name, scene.faces.size(), scene.surfaces.size(), most));
 }
 
-/// Everything is left to rays.
+/// Leaves all pairs of surfaces to rays.
 void leave_all_to_rays(FacePairs& result) {
     for (std::uint32_t from = 0; from < result.faces(); ++from) {
         for (std::uint32_t to = from; to < result.faces(); ++to) {
@@ -78,13 +78,13 @@ void leave_all_to_rays(FacePairs& result) {
     }
 }
 
-/// By their faces.
+/// In the order of their faces.
 struct InOrder {
     static auto place(const KnownPair& pair) { return std::tuple(pair.from, pair.to, pair.value); }
     bool operator()(const KnownPair& a, const KnownPair& b) const { return place(a) < place(b); }
 };
 
-/// Those of all parts, in order.
+/// The pairs of all parts, in order.
 std::vector<KnownPair> known_of(std::vector<Seen>& parts) {
     std::size_t size = 0;
     for (const Seen& part : parts) size += part.known.size();
@@ -116,7 +116,7 @@ SampledPairs sampled_of(std::vector<Seen>& parts, const Occluders& occluders) {
     return all;
 }
 
-/// Forgets what belongs to no pair of faces.
+/// Drops data that belong to no pair of faces.
 void keep_used(FacePairs& geometry) {
     std::size_t pairs = 0;
     std::size_t blockers = 0;
@@ -158,7 +158,7 @@ void add(FacePair& pair, const KnownPair& known) {
 void add(FacePair& pair, const Scene& scene, const SampledPair& open) {
     pair.reason = std::max(pair.reason, open.reason);
     if (open.is_whole_known()) {
-        pair.bound += open.times() * open.whole.error;  // it may be what the hidden part is taken off
+        pair.bound += open.times() * open.whole.error;  // the hidden part may be subtracted from it
         pair.most += open.times() * (open.whole.value + open.whole.error);
     } else {
         pair.all_unblocked_known = false;

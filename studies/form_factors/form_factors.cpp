@@ -67,11 +67,11 @@ void drop(Matrix& matrix, std::vector<DroppedExchange> dropped, double below) {
         matrix.rows[face].dropped = {pairs, value / area, low / area, high / area};
         matrix.dropped += pairs;
     }
-    // No face of pairs that are dropped sees itself: a factor to itself that is that small is kept.
+    // Only pairs of different faces are dropped: a factor of a face to itself is kept, however small.
     matrix.dropped /= 2;
 }
 
-/// What may be missing of a row's sum, and what may be too much.
+/// What a row's sum may lack, and by how much it may be too large.
 struct Misses {
     double missing = 0;
     double excess = 0;
@@ -83,7 +83,7 @@ double common(double first, double second) {
     return first > 0 && second > 0 ? std::min(first, second) : std::max(first, second);
 }
 
-/// A share of rays, with what may be by chance where few are lost.
+/// A share of lost rays, with an allowance for chance where few are lost.
 double share_of(const std::pair<std::uint64_t, std::uint64_t>& lost) {
     constexpr double unseen = 3;
     return lost.first == 0
@@ -146,7 +146,7 @@ double half_width(const FaceExchange& exchange) {
 namespace {
 
 constexpr std::string_view no_time = "no time to sample it";
-/// In files of earlier versions: rays served pairs that cells serve now.
+/// For files of earlier versions, in which rays served pairs that cells serve now.
 constexpr std::string_view rays_of_row = "the rays of its row do as well";
 
 }  // namespace

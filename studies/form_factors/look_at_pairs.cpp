@@ -29,7 +29,7 @@ std::vector<double> least_kept(const Scene& scene, double drop) {
     return result;
 }
 
-/// The pair if it exchanges less than that, whatever stands in between.
+/// The pair, if it exchanges less than that whatever stands in between.
 std::optional<DroppedPair> dropped(std::uint32_t from, std::uint32_t to, const PairExchange& exchange, double below) {
     if (!exchange.area || exchange.area->value + exchange.area->error >= below) return std::nullopt;
     // Rounded outwards.
@@ -40,7 +40,7 @@ std::optional<DroppedPair> dropped(std::uint32_t from, std::uint32_t to, const P
                        static_cast<float>(exchange.area->value + exchange.area->error) * up};
 }
 
-/// Pairs that nobody had the time to look at are kept as unknown, if there are not too many for that.
+/// Pairs that there was no time to examine are kept as unknown, unless there are too many.
 void expect_few_unknown(const Scene& scene) {
     if (scene.faces.size() <= most_dense_faces) return;
     throw InterruptedError(fmt::format(

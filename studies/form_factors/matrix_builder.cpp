@@ -14,7 +14,7 @@ namespace {
 /// Clips an interval to what geometry allows, and the value to the interval.
 void clip(FaceExchange& exchange, double least, double most) {
     exchange.clipped = exchange.value < least || exchange.value > most;
-    // Moved with the value: what is left of an interval may be narrower than its error, down to nothing.
+    // Moved with the value: what remains of an interval may be narrower than its error, or empty.
     if (exchange.clipped) {
         const double moved = std::clamp(exchange.value, least, most) - exchange.value;
         exchange.low += moved;
@@ -38,7 +38,7 @@ FaceExchange face_exchange(const FacePair& pair, const PairEstimate& estimate) {
     const double least = std::max(0.0, pair.known - pair.bound - pair.resolution);
     const double most = std::max(least, pair.most + pair.resolution);
     if (!estimate.sum) {
-        // Nothing but geometry: it was stopped before the first round was over.
+        // Only geometry is known: sampling was stopped before the end of the first round.
         result.low = least;
         result.high = pair.most;
         result.value = (result.low + result.high) / 2;
@@ -191,7 +191,7 @@ RowSum MatrixBuilder::row_sum(const KnownSum& known, std::size_t row, double far
     // Coordinates in the file are rounded, and with them the edges of the row's face.
     const double rounding =
         std::max(1e-12, 16 * std::numeric_limits<double>::epsilon() * farthest / std::sqrt(matrix_.areas[row]));
-    // No true sum is above 1; where the interval is, the scene is not what it should be, and the interval is shown.
+    // No true sum is above 1; where the interval is above 1, the scene is faulty, and the interval is shown as it is.
     const double end = low > 1 + rounding ? high : std::min(1.0, high);
     const double off = least > 1 + rounding ? least - 1 : most < 1 - rounding ? 1 - most : 0;
     return {known.value, std::min(known.value, std::max(0.0, low)), std::max(known.value, end), false, {}, off};

@@ -41,7 +41,7 @@ std::vector<PointFactor> PointFactors::from(const Vector3d& given, const Vector3
     constexpr double rounding = 1e-13;
     const Vector3d place = (given - placement_.origin) / placement_.unit;
     const Vector3d normal = direction.stableNormalized();
-    std::vector<bool> is_on(scene_.surfaces.size());  // what it lies on hides nothing from it
+    std::vector<bool> is_on(scene_.surfaces.size());  // a surface that the point lies on hides nothing from it
     for (std::size_t s = 0; s < scene_.surfaces.size(); ++s) {
         const Surface& surface = scene_.surfaces[s];
         is_on[s] = std::abs(surface.normal.dot(place - corners(surface.shape).front())) <= gap_;

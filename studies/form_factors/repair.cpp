@@ -12,7 +12,7 @@
 namespace ff::studies::form_factors {
 namespace {
 
-/// A width of 0 would be an infinite weight; what is known better than this moves no less than it.
+/// A width of 0 would be an infinite weight; entries that are known better than this have the weight of this width.
 constexpr double least_relative_width = 1e-8;
 
 double closure_defect(const Matrix::Sparse& factors) {

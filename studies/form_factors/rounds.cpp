@@ -16,7 +16,7 @@ namespace {
 /// Rate at which sound estimates are said to contradict each other, over all pairs.
 constexpr double contradiction_rate = 1e-3;
 
-/// A pilot does not decide on a round that is larger by more than this; a larger pilot does.
+/// A pilot does not decide on a round that is larger than itself by more than this factor; a larger pilot does.
 constexpr std::uint64_t farthest_sight = 64;
 constexpr std::uint64_t pilot_growth = 16;
 
@@ -78,7 +78,7 @@ bool Rounds::is_by_cells(std::size_t pair) const {
     return request_.cells && geometry_.pairs[pair].by_cells;
 }
 
-/// What the half width of a pair is to stay below, if its exchange area is as large as expected.
+/// The half width that a pair is to stay below, if its exchange area is as large as expected.
 double Rounds::wanted(std::size_t pair) const {
     const FacePair& faces = geometry_.pairs[pair];
     const double tolerance = request_.tolerance_between(faces.from, faces.to) * geometry_.areas[geometry_.owner(pair)];
@@ -131,7 +131,7 @@ void Rounds::report(std::uint64_t done, std::uint64_t all, std::uint64_t samples
     request_.report(progress_);
 }
 
-/// A task for a thread is a randomisation of a row.
+/// A task of a thread is one randomisation of a row.
 void Rounds::run_round() {
     begin_reporting();
     const std::uint64_t all = planned();
@@ -182,7 +182,7 @@ void Rounds::note_unfinished() {
     }
 }
 
-/// Half widths that a row has to come to; what is done already needs no more.
+/// Half widths that a row has to reach; pairs that are finished need nothing more.
 std::vector<double> Rounds::missing(const RowByRays& row) const {
     std::vector<double> widths;
     for (const std::size_t pair : row.pairs())
@@ -255,8 +255,8 @@ void Rounds::keep_within_budget() {
     last_ = true;
 }
 
-/// Every estimate beside those of the rounds before it. Each pair has its share of the error rate, so that what is
-/// found does not depend on the others.
+/// Compares every estimate with those of earlier rounds. Each pair has its own share of the error rate, so that the
+/// result does not depend on other pairs.
 void Rounds::compare() {
     std::map<std::size_t, std::size_t> comparisons;
     for (const Earlier& earlier : earlier_) ++comparisons[earlier.pair];

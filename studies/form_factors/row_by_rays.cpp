@@ -16,13 +16,13 @@ namespace {
 constexpr double usual_rate = 0.6;
 constexpr double rate_of_rare = 0.5;
 
-/// A standard deviation of 16 values is at most so much too small, but once in ten times: sqrt(15 / chi^2(15, 0.1)).
+/// A standard deviation of 16 values is at most this factor too small in nine of ten cases: sqrt(15 / chi^2(15, 0.1)).
 constexpr double margin = 1.33;
 
 /// A sequence has at most 2^32 points.
 constexpr double most_points_of_sequence = 0x1p31;
 
-/// With fewer hits than this, or fewer misses, half widths are taken to fall at `rate_of_rare`.
+/// With fewer hits or misses than this, half widths are assumed to fall at `rate_of_rare`.
 constexpr std::uint64_t few = 100;
 
 double rate_of_hits(const SampledShare& share) {

@@ -18,8 +18,8 @@ PairsOfRows pairs_to_sample(const FacePairs& geometry) {
     return rows;
 }
 
-/// Rows that are sampled at a time, with at least so many pairs or all there are: what is not done is lost where the
-/// process ends.
+/// Rows that are sampled at a time have at least this many pairs, or all that there are: unfinished rows are lost if
+/// the process ends.
 PairsOfRows next_batch(PairsOfRows& rows) {
     constexpr std::size_t most_pairs_at_once = 512;
     PairsOfRows batch;

@@ -6,7 +6,8 @@
 namespace ff::studies::form_factors {
 namespace {
 
-/// Passes values to words, or from words to values: then it leaves values as they are after the end, and says so.
+/// Copies values to words, or words to values. In the latter case, values beyond the end of the words are left
+/// unchanged, and this is reported.
 struct Words {
     std::vector<std::uint64_t> words{};
     bool reads = false;
@@ -41,7 +42,7 @@ struct Words {
     }
 };
 
-/// The order of members, said once for both directions.
+/// The order of members, stated once for both directions.
 void pass(Words& words, SampledSum::Term& term) {
     SampledShare& share = term.share;
     words(term.scale, share.points, share.unmet.rough, share.unmet.smooth, share.unmet.power, share.hits, share.met);

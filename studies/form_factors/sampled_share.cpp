@@ -45,7 +45,7 @@ EstimatedSum estimate_of(const SampledSum& sum, double level) {
     double unmet = 0;
     for (const auto& [scale, share] : sum.terms) {
         for (std::size_t r = 0; r < sums.size(); ++r) sums[r] += scale * share.means[r];
-        // Points of all terms together share the few that a set of places may be due and get none of.
+        // The points of all terms together share the few that a set of places may be entitled to and get none of.
         unmet = std::max(unmet, unmet_of(scale, share, level));
     }
     return with_means(known, sums, unmet, level);

@@ -40,8 +40,8 @@ MeanReference mean_reference(const Gate& gate, const Effect& effect, const std::
     return {.value = effect.truth.value_or(0)};
 }
 
-/// What is known of the values whose mean a gate judges. Reciprocity is about a factor less another one, times the
-/// ratio of the areas: each of them may have missed something.
+/// What is known of the values whose mean a gate judges. Reciprocity is about the difference of one factor and another
+/// one times the ratio of the areas: each of them may have missed something.
 stats::KnownLimits limits_of(const Gate& gate, const StudyPlan& plan, const Effect& effect,
                              const CellEstimates& estimates) {
     const auto [kind, from, to] = effect.quantity;
@@ -193,7 +193,7 @@ void compare_coverage(const Gate& gate, const Plan& plan, const Effect& effect, 
             derive_key(plan.study.spec.seed, fmt::format("coverage|{}|{}|{}", row.from_face, row.to_face, first));
         const auto interval = interval_of(gate, values.subspan(first, gate.replicates), *effect.truth, rays, key);
         ++covered.trials;
-        // No interval, no coverage: trials that are all alike claim to be exact.
+        // An empty interval does not count as covering: trials that are all equal claim to be exact.
         if (interval && interval->contains(*effect.truth)) ++covered.hits;
     }
     if (covered.trials == 0) {
@@ -239,7 +239,8 @@ void expect_replicates(const Plan& plan, std::span<const double> values, Compari
     row.note = fmt::format("trials repeat after {}: they are not replicates", *period);
 }
 
-/// One quantity may take one value by chance, where hits are few; not all of a gate.
+/// A single quantity may have the same value in all trials by chance, where hits are few, but not all quantities of a
+/// gate.
 void expect_some_spread(const Plan& plan, std::span<const CellEstimates> estimates, std::vector<Comparison>& rows) {
     constexpr std::size_t enough = 8;
     if (plan.deterministic) return;

@@ -63,7 +63,7 @@ std::vector<Quantity> quantities_of(const Gate& gate, const Scene& scene) {
     return sums;
 }
 
-/// Kinds that say something about spread need some.
+/// Kinds that judge the spread need one.
 bool needs_spread(GateKind kind) {
     return kind == GateKind::std || kind == GateKind::rmse || kind == GateKind::coverage || kind == GateKind::slope ||
            kind == GateKind::efficiency;
@@ -100,7 +100,7 @@ void expect_possible(const Gate& gate, const StudyPlan& plan) {
 
 void expect_finite(const Gate& gate, const Scene& scene, Quantity quantity) {
     if (gate.kind == GateKind::lost_rays) return;
-    Quantity back = quantity;  // that reciprocity is compared with
+    Quantity back = quantity;  // quantity that reciprocity compares with
     if (gate.kind == GateKind::reciprocity) std::swap(back.from, back.to);
     if (known_variance(experiment_of(gate).method, scene, quantity) != VarianceStatus::infinite &&
         known_variance(experiment_of(gate).method, scene, back) != VarianceStatus::infinite)

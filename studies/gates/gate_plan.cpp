@@ -26,7 +26,7 @@ const Gate& gate_of(const Spec& spec, const Plan& plan) {
     return spec.gates[plan.gate];
 }
 
-/// Gives the cells random numbers that nothing else uses.
+/// Gives the cells random numbers of their own.
 void reseed(const Spec& spec, std::string_view use, StudyPlan& study) {
     for (Cell& cell : study.cells) cell.key = derive_key(spec.seed, fmt::format("{}|{}", cell.canonical, use));
 }
@@ -63,7 +63,7 @@ void attach_baseline(const Gate& gate, const Baseline* baseline, Plan& plan) {
     }
 }
 
-/// What the planning knows of one effect.
+/// The planning data of one effect.
 struct Noise {
     double sigma = 0;
     double skewness = 0;
@@ -108,7 +108,7 @@ std::vector<Noise> noise_of_all(const Gate& gate, const Plan& plan, const std::v
         kurtosis += noise.excess_kurtosis;
         all.push_back(noise);
     }
-    // One pilot says little of a kurtosis; its quantities together say more.
+    // A pilot says little about a single kurtosis; its quantities together say more.
     for (Noise& noise : all) noise.excess_kurtosis = kurtosis / static_cast<double>(all.size());
     return all;
 }

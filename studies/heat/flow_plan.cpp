@@ -65,7 +65,7 @@ class Sensitivity {
         return absorbing_.cwiseProduct(solve(system_, of_rows));
     }
 
-    /// For each pair, by how many watts a unit of its half width widens the sum of the half widths of all powers with
+    /// For each pair, how many watts a unit of its half width adds to the sum of the half widths of all powers with
     /// these weights.
     [[nodiscard]] std::vector<double> importance(const VectorXd& weights) const {
         const VectorXd of_rows = solve(adjoint_, weights.cwiseProduct(absorbing_));
@@ -141,7 +141,7 @@ double smaller_area(const form_factors::Matrix& matrix, const form_factors::Face
     return std::min(matrix.areas[pair.from], matrix.areas[pair.to]);
 }
 
-/// Pairs that are sampled at once: those of a face by the rays that leave it, others each by itself.
+/// Groups of pairs that are sampled together: those of a face by the rays that leave it; each other pair by itself.
 struct Groups {
     std::vector<std::size_t> of;  ///< [pair]: index of its group
     std::vector<double> samples;  ///< [group]: number of its samples
@@ -170,8 +170,8 @@ Groups groups_of(const form_factors::Matrix& matrix) {
     return groups;
 }
 
-/// Samples grow by this power of 1 / half width, found with one tolerance after the other: of cells and points in the
-/// room with a block of docs/scenes.md, of rays in an annulus.
+/// Samples grow with this power of 1 / half width, as measured for a series of tolerances: for cells and points in the
+/// room with a block of docs/scenes.md, for rays in an annulus.
 double growth(const form_factors::FaceExchange& pair) {
     constexpr double of_cells = 0.15;
     constexpr double of_points = 0.66;

@@ -81,9 +81,9 @@ class FlowSampling {
     }
 
   private:
-    /// Half widths come out at about half of what a plan asks for: rounds are sized so that they seldom miss.
+    /// Half widths turn out to be about half of what a plan requests: rounds are sized so that they seldom miss.
     static constexpr double surplus = 1.4;
-    static constexpr double margin = 0.9;  ///< factor on the tolerance of a plan that follows one that has missed
+    static constexpr double margin = 0.9;            ///< factor on the tolerance of a plan that follows a failed one
     static constexpr double least_tolerance = 1e-6;  ///< rays are traced in single precision
 
     const Scene& scene_;
@@ -95,11 +95,11 @@ class FlowSampling {
     form_factors::Request request_;
     form_factors::Matrix pilot_;
     std::optional<SampledFlows> best_;
-    std::exception_ptr unresolved_;  ///< why there is none
+    std::exception_ptr unresolved_;  ///< why there are no flows
     std::size_t matrices_ = 0;
     std::uint64_t samples_ = 0;
 
-    /// Samples one matrix. @return whether another may help
+    /// Samples one matrix. @return whether another one may help
     bool sample() {
         request_.level = level_of(asked_.level, matrices_);
         request_.seed = seed_of(asked_.seed, matrices_);
@@ -112,7 +112,7 @@ class FlowSampling {
             if (goes_on) plan(matrix);
             return goes_on && samples_ < asked_.max_samples;
         } catch (const UserError&) {
-            // No samples are left for another matrix, or by chance it makes no sense: there is one already.
+            // No samples are left for another matrix, or it happens to be unusable: there is one already.
             if (!best_) throw;
             return false;
         }

@@ -206,7 +206,8 @@ std::vector<GebhartFactor> find_gebhart_factors(const Scene& scene, const form_f
     expect_solvable(scene, factors, laws, materials);
     const FlowBounds bounds(factors, laws.reflected);
     std::vector<GebhartFactor> found(columns * matrix.faces());
-    // What leaves a face meets others, where it is absorbed, or reflected and meets others again: an irradiation.
+    // Radiation that leaves a face meets others, where it is absorbed, or is reflected and meets others again: it acts
+    // as an irradiation.
     for (std::size_t to = 0; to < columns; ++to) {
         Eigen::VectorXd absorbed = Eigen::VectorXd::Zero(n);
         const auto column = static_cast<Index>(to);

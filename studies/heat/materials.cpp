@@ -47,7 +47,7 @@ void expect(bool fine, const TomlReader& reader, std::string_view key, std::stri
     if (!fine) reader.fail(key, problem);
 }
 
-/// @param may_be_said  emissivities may stand in the scene file
+/// @param may_be_said emissivities may be given in the scene file
 Material read_material(const TomlReader& reader, bool may_be_said) {
     reader.expect_only({"emissivity", "temperature", "flux", "reflectance", "emission"});
     Material material{reader.optional_number("emissivity"), reader.optional_number("temperature"),
@@ -112,7 +112,8 @@ const Entry* only_entry(const std::vector<Entry>& entries, Wanted wanted, const 
     return found;
 }
 
-/// The entry of a face: of its own name, else of its material's, else the pattern that either matches.
+/// The entry of a face: that of its own name, otherwise that of its material, otherwise the pattern that either
+/// matches.
 const Entry* entry_of(std::size_t face, const NamedFaces& faces, const std::vector<Entry>& entries,
                       std::string_view origin) {
     const std::string& name = faces.names[face];
@@ -139,7 +140,7 @@ const Entry* entry_of(std::size_t face, const NamedFaces& faces, const std::vect
         name, origin);
 }
 
-/// Fills in what the scene file says of a face. @throws UserError where it says nothing that will do
+/// Fills in what the scene file says about a face. @throws UserError where it says nothing usable
 void complete(Material& material, std::size_t face, const NamedFaces& faces, std::string_view origin) {
     if (material.is_light() || material.emissivity) return;
     const std::string& name = faces.names[face];

@@ -36,7 +36,7 @@ constexpr std::array<SceneFormat, 3> formats{{{"{obj}", "scene.obj", &obj_text, 
                                               {"{toml}", "scene.toml", &toml_scene_text, false}}};
 constexpr std::string_view any_format = "{scene}";
 
-/// A scene in the files that a program wants, for as long as it runs.
+/// A scene in the files that a program needs, which exist while it runs.
 class SceneFiles {
   public:
     SceneFiles(const Scene& scene, const Program& program) {
@@ -190,7 +190,7 @@ class CommandEstimator final : public Estimator {
     SceneFiles files_;
 };
 
-/// Why a program that wants polygons cannot have a scene.
+/// Why a scene cannot be given to a program that needs polygons.
 std::string refuse_shapes(const Program& program, const Scene& scene) {
     for (const SceneFormat& format : formats) {
         if (format.polygons_only && program.has(format.placeholder) && !is_of_polygons(scene))

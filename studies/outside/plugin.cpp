@@ -37,7 +37,7 @@ std::string text_or_nothing(const char* text) {
     return text == nullptr ? std::string() : std::string(text);
 }
 
-/// Calls a function of the plug-in. What a C++ one throws becomes a message too.
+/// Calls a function of the plug-in. An exception of a C++ function becomes a message, too.
 template <class Call>
 auto call(const std::string& place, Call function) {
     try {
@@ -50,7 +50,7 @@ auto call(const std::string& place, Call function) {
     }
 }
 
-/// The functions of one sampler, and what messages call it.
+/// The functions of one sampler, and its name in messages.
 struct Functions {
     std::string origin;
     const ffstudy_sampler* sampler;
@@ -70,7 +70,7 @@ struct Functions {
     void make_set(const SetRequest& request, samplers::PointSet& set) const {
         const auto d = static_cast<std::uint32_t>(request.dimension);
         expect_whole(origin, request);
-        // What is not filled in is then noticed.
+        // Fields that are not filled in are then noticed.
         std::vector<double> rows(request.points * d, std::numeric_limits<double>::quiet_NaN());
         expect_none(call(place(request),
                          [&] { return sampler->fill(rows.data(), request.points, d, request.seed, request.trial); }),
@@ -141,7 +141,7 @@ const samplers::CatalogueEntry& add_sampler(const ffstudy_sampler& sampler, cons
         name);
 }
 
-/// Opens a library once: a second time the loader gives what it has, whatever the file holds by now.
+/// Opens a library once: the second time the loader returns what it has, whatever the file contains by then.
 void* open_library(const std::filesystem::path& file, const std::string& shown, const std::string& hash) {
     static std::mutex mutex;
     static std::map<std::filesystem::path, std::pair<void*, std::string>> opened;

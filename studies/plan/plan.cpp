@@ -21,7 +21,7 @@ namespace {
 
 constexpr double unit_seconds = 0.2;
 
-/// A unit's observations wait in memory to be saved: some kilobytes a trial.
+/// The observations of a unit wait in memory to be saved: some kilobytes per trial.
 constexpr double most_trials_of_a_unit = 2000;
 
 /// 320 MB of plan, and a day of work for a hundred cores.
@@ -133,8 +133,8 @@ void expect_room_for_pilot(const StudySpec& spec, const Method& method, const Ce
                     method.name, cell.trials, spec.until->pilot));
 }
 
-/// Whether a method takes part in a scene. One that cannot be used there is named in `left_out`, where the study says
-/// so.
+/// Whether a method takes part in a scene. One that cannot be used there is named in `left_out`, if the study allows
+/// that.
 /// @throws UserError otherwise
 bool takes_part(const StudySpec& spec, const Method& method, const Scene& scene, std::vector<std::string>& left_out) {
     try {

@@ -41,7 +41,7 @@ struct NpyHeader {
     throw UserError(fmt::format("{}: {} ({}). Write it with numpy.save.", origin, what, why));
 }
 
-/// What stands between `before` and `after` in the header.
+/// The text between `before` and `after` in the header.
 std::string_view between(std::string_view text, std::string_view before, std::string_view after,
                          const std::string& origin) {
     const std::size_t begin = text.find(before);

@@ -18,7 +18,7 @@ namespace ff::studies {
 namespace {
 
 constexpr std::uint64_t most_points = std::uint64_t{1} << 26;
-/// What is taken of a longer sequence: files of 2^32 points are common.
+/// The number of points taken from a longer sequence: files of 2^32 points are common.
 constexpr std::uint64_t most_columns = 22;
 
 std::uint32_t reversed_bits(std::uint64_t x) {
@@ -92,7 +92,7 @@ samplers::PointSet digital_net(Numbers numbers, bool first_is_top, const std::st
     expect_range(origin, "base", base, 2, 2);
     const std::uint64_t dimension = numbers.next("the dimension");
     expect_range(origin, "dimension", dimension, 1, 1u << 20);
-    // The format has the number of columns k here, the files of LDData themselves have 2^k.
+    // The format states the number of columns k here; the files of LDData themselves have 2^k.
     std::uint64_t columns = numbers.next("the number of columns");
     if (columns > 64 && std::has_single_bit(columns)) columns = static_cast<std::uint64_t>(std::countr_zero(columns));
     expect_range(origin, "columns", columns, 1, 64);

@@ -129,7 +129,7 @@ Results find_consequences(const Store& store, const std::atomic<bool>* stop) {
     Results results;
     evaluate_between_faces(store, results);
     evaluate_between_patches(store, results, stop);
-    // By cell, whichever subdivision was lit first.
+    // In the order of cells, whichever subdivision was computed first.
     std::stable_sort(results.consequences.begin(), results.consequences.end(),
                      [](const Consequences& a, const Consequences& b) {
                          return std::pair(a.between, a.cell) < std::pair(b.between, b.cell);

@@ -31,7 +31,7 @@ double iterations(const RadiosityRequest& request, const std::vector<double>& re
     return largest > 0 ? std::log(request.tolerance) / std::log(largest) : 1;
 }
 
-/// All solvers on one system.
+/// The cost of all solvers on one system.
 double seconds_of_solvers(const RadiosityRequest& request, double n, const std::vector<double>& reflectance) {
     return 2.0 / 3 * n * n * n * seconds_of_elimination +
            passes_of_solvers * iterations(request, reflectance) * n * n * seconds_of_an_entry;

@@ -37,7 +37,7 @@ const Words& words_of(FileKind kind) {
     return words_of_kinds.at(static_cast<std::size_t>(kind));
 }
 
-/// Kinds of which something was seen.
+/// Kinds for which evidence was seen.
 using Marks = std::set<FileKind>;
 
 constexpr std::array<std::pair<std::string_view, FileKind>, 6> headings{{{"[study]", FileKind::study},

@@ -41,7 +41,7 @@ class Positions {
     TextPosition position_;
 };
 
-/// Objects and lists within each other. No file of ours has more, and what reads and removes the tree recurses.
+/// Largest depth of nested objects and lists. No file of ours has more, and reading and destroying the tree recurse.
 constexpr std::size_t most_levels = 100;
 
 /// Reads the text and lets the builder see how far the parser has come: nlohmann's events carry no positions.

@@ -34,7 +34,7 @@ Character first_character(std::string_view text) {
     return {text.substr(0, static_cast<std::size_t>(at - text.begin())), code, true};
 }
 
-/// Where the first character begins that `wanted` is true of.
+/// Position of the first character for which `wanted` is true.
 template <class Wanted>
 std::size_t find_character(std::string_view text, Wanted wanted) {
     for (std::size_t at = 0; at < text.size();) {

@@ -24,7 +24,8 @@ std::string shown(const toml::node& node) {
     return " = " + excerpt(out.str());
 }
 
-/// Where a string that begins at a quote is over: behind its last quote, or at the end of a line that does not end it.
+/// The end of a string that begins at a quote: after its closing quote, or at the end of the line where that is
+/// missing.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
     const char quote = text[begin];
     const std::string of_lines(3, quote);

@@ -25,7 +25,7 @@ constexpr double seconds_of_a_draw = 6e-9;      // of one trial into a resample 
 constexpr double seconds_of_a_group = 8e-6;     // a trial of a pair in intervals by all rules, for [coverage]
 // Processor time of `report` with 65 536 and 4096 patches per face of a cube, and a grid of 1024 x 1024: 1.7 to 2.6.
 constexpr double seconds_of_a_patch_factor = 2.5e-6;  // exact, from a patch to a surface
-// Its tables and pictures in report.html; of boxes the faces are laid flat. From the most memory of `convergence_rays`
+// Its tables and pictures in report.html; for boxes the faces are laid flat. From the most memory of `convergence_rays`
 // and `sr_vs_pdm`, and of `catalogue` and `occlusion`.
 constexpr std::uint64_t bytes_of_a_cell_of_a_box = 1000 << 10;
 constexpr std::uint64_t bytes_of_another_cell = 600 << 10;

@@ -119,7 +119,7 @@ CommonTrials common_trials(const Store& stored, const StudyPlan& plan) {
         const auto match = known.find(identity(plan, plan.cells[here]));
         if (match == known.end()) continue;
         const std::size_t there = match->second;
-        known.erase(match);  // where a study names the same trials twice, each cell gets its own
+        known.erase(match);  // if a study has the same trials twice, each cell gets its own
         const auto units_of = [](const StudyPlan& of, const std::vector<std::size_t>& first, std::size_t cell) {
             return std::span(of.units).subspan(first[cell], first[cell + 1] - first[cell]);
         };

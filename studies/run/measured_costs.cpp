@@ -19,7 +19,7 @@ void add_to(MeasuredCost& sum, const MeasuredCost& more) {
     sum.squared_seconds += more.squared_seconds;
 }
 
-/// What trials, and their cost, depend on.
+/// The key on which trials, and their cost, depend.
 std::string key_of(const StudyPlan& plan, const Cell& cell) {
     const Method& method = plan.spec.methods[cell.method];
     const std::string key = fmt::format("{:08x}{:08x}", cell.key.word0, cell.key.word1);
@@ -29,7 +29,8 @@ std::string key_of(const StudyPlan& plan, const Cell& cell) {
 }  // namespace
 
 double MeasuredCost::relative_error() const {
-    // What caches, clock and other programs do to all trials of a cell alike; and what the first of them take longer.
+    // The effect of caches, clock and other programs on all trials of a cell alike, and the extra time of the first
+    // trials.
     constexpr double of_the_machine = 0.1;
     constexpr double to_settle = 1e-3;  // seconds
     const auto n = static_cast<double>(trials);

@@ -116,7 +116,7 @@ class Workshop {
                 changed_.notify_all();
             }
         } catch (const Interrupted&) {
-            // Run again, the study begins the unit in hand anew.
+            // When the study is run again, it repeats the interrupted unit.
         }
     }
 
@@ -148,7 +148,7 @@ std::vector<const WorkUnit*> missing_units(const StudyPlan& plan, const std::vec
     return missing;
 }
 
-/// Those of the missing units that this process carries out.
+/// The missing units that this process carries out.
 std::vector<const WorkUnit*> own_units(const std::vector<const WorkUnit*>& missing, const RunOptions& options) {
     std::vector<const WorkUnit*> own;
     for (std::size_t i = 0; i < missing.size(); ++i) {

@@ -53,14 +53,14 @@ void add_tally(const RayTally& tally, const Observed& with_itself, std::uint64_t
     }
 }
 
-/// Records hold words: of doubles, their bits.
+/// Records hold words: for doubles, their bits.
 std::vector<double> as_doubles(const std::vector<std::uint64_t>& words) {
     std::vector<double> doubles;
     for (const std::uint64_t word : words) doubles.push_back(std::bit_cast<double>(word));
     return doubles;
 }
 
-/// What the trials of a unit that has been begun have added up, moved out of their record.
+/// The sums of the trials of a unit that was begun, moved out of their record.
 PatchTotals begun_totals(UnitRecord& record, PatchFactors patch_factors) {
     PatchTotals totals;
     if (patch_factors == PatchFactors::rays) {
@@ -123,7 +123,7 @@ struct Worker::Tools {
 };
 
 Worker::Worker(const StudyPlan& plan, const std::atomic<bool>* stop) : plan_(plan) {
-    // Made ready once for a scene: tracers may be large.
+    // Prepared once per scene: tracers may be large.
     std::map<std::tuple<std::size_t, std::string_view, TracerChoice>, std::shared_ptr<const Estimator>> estimators;
     for (const Cell& cell : plan.cells) {
         auto tools = std::make_unique<Tools>();

@@ -54,7 +54,7 @@ Digits combine(const Digits& a, const Digits& b) {
     return result;
 }
 
-/// Whether these are a vector space: as many different vectors as their span has.
+/// Whether these form a vector space: they are as many different vectors as their span contains.
 bool is_space(const std::vector<Digits>& vectors) {
     const auto rank = static_cast<std::size_t>(std::countr_zero(vectors.size()));
     std::vector<Digits> basis;  // each with a leading digit that no later one has

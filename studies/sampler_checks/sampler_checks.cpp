@@ -51,7 +51,7 @@ SamplerCheck same_bits(const samplers::CatalogueEntry& sampler, const samplers::
             "3 trials, asked for in parts of 1024, 1000, 37 and 1"};
 }
 
-/// What `Sizes` promises: points stratified on every axis, or in the cells of a grid.
+/// Checks the promise of `Sizes`: points stratified on every axis, or in the cells of a grid.
 std::optional<SamplerCheck> keeps_sizes(const samplers::CatalogueEntry& sampler, const samplers::PointSetSpec& spec,
                                         StreamKey key) {
     const SamplerInfo& info = sampler.info;
@@ -135,7 +135,7 @@ Tested independent_trials(std::string name, const std::vector<double>& means, st
             serial ? stats::minimum_detectable_bias(1, means.size(), half) : 1.0, worst_correlation, "correlated by"};
 }
 
-/// @param not_asked  gets the checks that have nothing to go by
+/// @param not_asked receives the checks that have no data
 std::vector<Tested> test_all(const DrawnTrials& drawn, std::size_t dimension, stats::Risks risks,
                              std::vector<std::string>& not_asked) {
     std::vector<Tested> tests;
@@ -192,7 +192,7 @@ SamplerCheck keeps_promise(const Promise& promise, const StructureEvidence& evid
                         evidence.drawn.sets == 1 ? "s" : "")};
 }
 
-/// Promises, or what the sets look like.
+/// Checks promises, or describes what the sets look like.
 void add_structure(const SamplerCheckRequest& request, const StructureEvidence& evidence, SamplerChecks& result) {
     result.sets = evidence.drawn.sets;
     const auto add = [&](std::vector<SamplerCheck> checks) {

@@ -13,7 +13,7 @@
 namespace ff::studies {
 namespace {
 
-/// How many of k^d cells hold one point. One whose cell is open counts as alone in it.
+/// How many of k^d cells hold one point. A point whose cell is undecided counts as alone in its cell.
 std::uint64_t count_singles(const samplers::PointSet& set, std::uint64_t which, std::uint64_t k) {
     std::uint64_t most = 0;
     for (const samplers::Sorting& sorting : samplers::sortings(set, which, k)) {
@@ -73,7 +73,7 @@ bool fills_shifted_slices(std::span<const std::uint32_t> row) {
     return most - least < std::int64_t{1} << 32;
 }
 
-/// In how many slices more than n every point has one for itself, up to 4; 0 where in none.
+/// The smallest number up to 4 such that in n + this many slices no two points share one; 0 where there is none.
 std::uint64_t free_slices(std::span<const std::uint32_t> row) {
     constexpr std::uint64_t most = 4;
     for (std::uint64_t more = 1; more <= most; ++more) {

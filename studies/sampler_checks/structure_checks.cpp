@@ -71,7 +71,7 @@ SamplerCheck describe_cells(const StructureEvidence& evidence) {
                     range(evidence, [](const SetStructure& set) { return set.single_cells; }), n, random_singles(n))};
 }
 
-/// The t-value of the house's own net of this size, where it has one.
+/// The t-value of our own net with this size, where there is one.
 std::optional<std::uint32_t> t_of_house(const StructureEvidence& evidence) {
     const auto& house = samplers::house_sampler();
     if (house.info.base != evidence.base) return std::nullopt;

@@ -82,8 +82,8 @@ std::optional<SamplerCheck> shifted_slices(const StructureEvidence& evidence) {
                                     n, evidence.sets.size() - whole, evidence.sets.size())};
 }
 
-/// In every set no two points share a slice of a few more than n, in any coordinate: independent points are so with a
-/// probability below 1e-10 of 32 points and 36 slices.
+/// In every set no two points share one of a few more than n slices, in any coordinate: for independent points the
+/// probability of that is below 1e-10 with 32 points and 36 slices.
 std::optional<SamplerCheck> part_of_latin(const StructureEvidence& evidence) {
     const std::uint64_t n = evidence.drawn.points;
     if (!is_telling_size(n, evidence.drawn.dimension)) return std::nullopt;

@@ -54,7 +54,7 @@ bool has_lattice(const std::vector<Promise>& kept) {
     return std::count(kept.begin(), kept.end(), Promise{PromiseKind::lattice}) > 0;
 }
 
-/// Whether so many values a coordinate are those of a regular grid, one point in each of its cells.
+/// Whether this many values per coordinate are those of a regular grid with one point in each of its cells.
 bool is_grid(const StructureEvidence& evidence, const std::vector<Promise>& kept, std::uint64_t values) {
     return std::count(kept.begin(), kept.end(), Promise{PromiseKind::stratified}) > 0 &&
            values == samplers::floor_root(evidence.drawn.points, evidence.drawn.dimension);
@@ -74,8 +74,8 @@ std::uint64_t steps_of_grid(const std::vector<std::uint32_t>& values) {
     return steps;
 }
 
-/// Whether numbers of a few bits or decimals have so many steps: 2^k, 2^k - 1 as of an integer over the largest, 10^k.
-/// Other grids are those of radical inverses and lattices, which have more to them than single values.
+/// Whether numbers with a few bits or decimals have this many steps: 2^k, 2^k - 1 (an integer divided by the largest
+/// one) or 10^k. Other grids are those of radical inverses and lattices, which have more structure than single values.
 bool is_of_short_numbers(std::uint64_t steps) {
     std::uint64_t tenths = steps;
     while (tenths % 10 == 0) tenths /= 10;

@@ -34,7 +34,7 @@ constexpr double parallelogram_gap = 1e-12;
 constexpr std::array<std::string_view, 3> labels_of_sums{"all", "sum", "sum_re"};
 constexpr double largest_length = 1e30;  // squares of areas are numbers, in single precision lengths too
 
-/// The numbers that a surface is made of; of a polygon whatever corner it begins with.
+/// The numbers that define a surface; for a polygon, independent of its first corner.
 using Numbers = std::array<double, 13>;
 
 Numbers numbers_of(const Surface& surface) {
@@ -85,7 +85,7 @@ std::uint64_t fingerprint(const Numbers& numbers) {
     return print.value();
 }
 
-/// What a scene is: its surfaces, whatever their order of corners.
+/// The identity of a scene: its surfaces, independent of the order of their corners.
 std::string canonical_of(const Scene& scene) {
     Fingerprint content;
     content.add(scene.closed ? 1 : 0);
@@ -93,7 +93,7 @@ std::string canonical_of(const Scene& scene) {
         content.add(fingerprint(numbers_of(surface)));
         content.add(static_cast<std::uint64_t>(surface.face));
         for (const double component : surface.normal) content.add(std::bit_cast<std::uint64_t>(component + 0.0));
-        // Scenes without grids are what they were before there were any.
+        // Scenes without grids keep the identity that they had before there were grids.
         if (surface.grid == undivided) continue;
         content.add(surface.grid.columns);
         content.add(surface.grid.rows);
@@ -181,7 +181,7 @@ void SceneBuilder::append(Surface surface, std::uint64_t line) {
 bool SceneBuilder::has_area(const std::vector<Vector3d>& corners, std::uint64_t line) {
     double size = 0;
     for (const Vector3d& corner : corners) size = std::max(size, (corner - corners[0]).norm());
-    // What is too large to tell is refused later.
+    // Surfaces that are too large to decide are refused later.
     if (size > largest_length || twice_area(corners).norm() > least_share_of_area * size * size) return true;
     changes_.note(PolygonChange::no_area, line);
     return false;

@@ -16,7 +16,7 @@ bool are_same(double a, double b) {
     return std::abs(a - b) <= off * std::abs(b);
 }
 
-/// The shortest decimal number that is the same as a value: so many significant digits, the first at 10^exponent.
+/// The shortest decimal number that is the same as a value: this many significant digits, the first at 10^exponent.
 struct Digits {
     int significant = 0;
     int exponent = 0;
@@ -24,7 +24,7 @@ struct Digits {
     [[nodiscard]] int decimals() const { return significant - 1 - exponent; }
 };
 
-/// More are what a double has that was not rounded to digits.
+/// More digits mean a double that was not rounded to decimals.
 constexpr int most_digits = 14;
 /// This many digits distinguish all single-precision numbers.
 constexpr int digits_of_single = 9;

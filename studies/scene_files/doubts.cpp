@@ -49,7 +49,7 @@ std::string face_in_words(const Scene& scene, int face) {
                     : fmt::format("face '{}'", scene.faces[static_cast<std::size_t>(face)]);
 }
 
-/// The sides of a thin wall may be as near to each other as they like.
+/// The two sides of a thin wall may be as close to each other as they like.
 void add_near(const Scene& scene, const LevelOverlap& overlap, SceneDoubts& doubts) {
     const auto [low, high] = std::minmax(scene.surfaces[overlap.first].face, scene.surfaces[overlap.second].face);
     if (!overlap.same_side || high < 0) return;
@@ -76,7 +76,7 @@ void add_remarks(const Scene& scene, SceneDoubts& doubts) {
         doubts.notes.push_back(fmt::format("scene '{}': {}", scene.name, remark));
 }
 
-/// Edges that two polygons run through in the same direction, which is not the boundary of anything.
+/// Edges that two polygons run through in the same direction, so that they do not bound a body.
 void add_winding(const Scene& scene, SceneDoubts& doubts) {
     for (const int face : find_winding(scene).undecided)
         doubts.faults.push_back(fmt::format(
@@ -104,7 +104,7 @@ void add_overlaps(const Scene& scene, SceneDoubts& doubts) {
             continue;
         }
         const auto [low, high] = std::minmax(scene.surfaces[overlap.first].face, scene.surfaces[overlap.second].face);
-        if (high < 0) continue;  // two occluders hide what they hide together
+        if (high < 0) continue;  // overlapping occluders are harmless
         Overlap& all = by_faces[{overlap.same_side, low, high}];
         ++all.surfaces;
         all.area += overlap.area * placement.unit * placement.unit;
@@ -186,7 +186,8 @@ void add_rounding(const Scene& scene, SceneDoubts& doubts) {
         scene.name, 2 * scene.coordinate_rounding, names(scene, small)));
 }
 
-/// A room whose walls face outwards, said to be closed or not: no front sees a front, but backs see backs.
+/// A room whose walls face outwards, whether or not it is said to be closed: no front sees a front, but backs see
+/// backs.
 bool is_inside_out(const SideProbes& probes) {
     std::size_t rays = 0;
     std::size_t between_fronts = 0;

@@ -25,9 +25,10 @@ using Eigen::Vector3d;
 using energyplus::Object;
 
 constexpr std::string_view windows_class = "fenestrationsurface:detailed";
-/// EnergyPlus names the side in the other zone so, where a file describes a wall between zones once.
+/// EnergyPlus gives the side in the other zone this name, where a file describes a wall between zones only once.
 constexpr std::string_view prefix_of_other_side = "iz-";
-/// A window that is further off its wall, however large that is, may be meant to be there. Files are in metres.
+/// A window that is farther from its wall than this, however large the wall is, may be meant to be there. Files are in
+/// metres.
 constexpr double most_metres_off = 0.01;
 
 /// A wall, floor or roof of the zone that is read.
@@ -128,7 +129,7 @@ class ZoneReader {
         return corners;
     }
 
-    /// What to add to a message where fields may not be what they were taken for.
+    /// An addition to a message for the case that fields were misinterpreted.
     [[nodiscard]] std::string version_in_brackets() const {
         return lacks_version_ ? fmt::format(" ({})", energyplus::without_version) : std::string();
     }
@@ -211,7 +212,7 @@ class ZoneReader {
         }
     }
 
-    /// A wall without its windows, and then these, as EnergyPlus orders them.
+    /// Adds a wall without its windows, and then these, in the order of EnergyPlus.
     void add(const ZoneWall& wall) {
         const Vs3Surface& surface = wall.surface;
         if (!builder_.has_area(surface.corners, surface.line)) return;

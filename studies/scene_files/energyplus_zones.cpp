@@ -48,7 +48,7 @@ double EnergyPlusZones::number_or(double none, const Object& object, std::string
     return energyplus::number_of_field(file_, object.fields.find(field)->second, field);
 }
 
-/// EnergyPlus knows these by their first letters as well.
+/// EnergyPlus also accepts these by their first letters.
 void EnergyPlusZones::read_rules(const Object& object) {
     rules_are_read_ = true;
     const auto says = [&](std::string_view field, std::initializer_list<std::string_view> beginnings) {

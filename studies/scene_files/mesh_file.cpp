@@ -77,7 +77,7 @@ class ObjWriter {
         text_ += polygons;
     }
 
-    /// Corners and the polygon; nothing where it has no area: nothing leaves it or arrives.
+    /// Writes corners and the polygon; nothing where it has no area, since nothing leaves it or arrives there.
     std::string polygon(const std::vector<Vector3d>& corners) {
         double size = 0;
         for (const Vector3d& corner : corners) size = std::max(size, (corner - corners[0]).norm());
@@ -139,7 +139,7 @@ std::string mesh_as_obj(const std::filesystem::path& file) {
             fmt::format("{}: no file of VTK (it would begin with '# vtk DataFile', or as XML with VTKFile). "
                         "Write it again.",
                         name));
-    // Files of these formats need not have a mark; what is wrong with others, their readers say.
+    // Files of these formats need not have a mark; the readers of the others say what is wrong with them.
     for (const std::string_view extension : {".stl", ".ply", ".off"}) {
         if (kind == nullptr && has_extension(name, extension)) kind = meshes::mesh_kind_named(extension);
     }

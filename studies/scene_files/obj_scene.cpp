@@ -25,7 +25,7 @@ namespace {
 constexpr char up_in_scenes = 'z';
 constexpr std::string_view before_scale = "scale ";
 
-/// What a polygon belongs to, by number of the name.
+/// What a polygon belongs to, as numbers of names.
 struct Owners {
     std::size_t group = 0;     ///< name given by `g`, or by `o` where there is none
     std::size_t object = 0;    ///< name given by `o`
@@ -35,10 +35,10 @@ struct Owners {
 struct Polygon {
     std::uint64_t line = 0;
     Owners owners;
-    std::vector<std::int64_t> corners;  ///< numbers of vertices, from 0, which may still be to come
+    std::vector<std::int64_t> corners;  ///< numbers of vertices, from 0, which may follow later in the file
     std::int64_t vertices_before = 0;   ///< number of vertices above it in the file
 
-    /// A number of a vertex that there is not, as the file has it.
+    /// A number of a vertex that does not exist, as written in the file.
     [[nodiscard]] std::int64_t written(std::int64_t vertex) const {
         return vertex < 0 ? vertex - vertices_before : vertex + 1;
     }
@@ -59,7 +59,7 @@ class NumberedNames {
     std::unordered_map<std::string, std::size_t> numbers_{{"", 0}};
 };
 
-/// Reads the lines of an OBJ file; lines that say nothing of polygons are passed over.
+/// Reads the lines of an OBJ file; lines that do not concern polygons are skipped.
 class ObjReader {
   public:
     explicit ObjReader(std::string_view name) : builder_(name) {}

@@ -14,10 +14,10 @@ namespace {
 constexpr std::size_t most_probed = 1000;
 constexpr std::size_t rays_of_a_surface = 64;
 
-/// Turning faces one after another takes the cube of their number.
+/// Turning faces one after another takes time proportional to the cube of their number.
 constexpr std::size_t most_faces_turned = 256;
 
-/// The same points whatever is asked: they decide nothing but what is said.
+/// The same points for every request: they affect only messages.
 std::unique_ptr<PointBlock> points() {
     auto block = std::make_unique<PointBlock>();
     block->size = rays_of_a_surface;
@@ -120,7 +120,7 @@ std::vector<std::size_t> turned_faces(const SideProbes& probes, bool closed) {
     for (const std::size_t start : {std::size_t{0}, std::size_t{1}}) {
         std::vector<std::size_t> side(probes.faces, start);
         const std::size_t left = improve(probes, side, closed);
-        // What no longer ends on backs has to end on fronts: turning a face away from all others explains nothing.
+        // Rays that no longer end on backs have to end on fronts: turning a face away from all others explains nothing.
         const bool explains =
             10 * left <= wrong && 2 * good_ends(probes, side) >= 2 * good_ends(probes, as_it_is) + wrong;
         std::vector<std::size_t> turned;

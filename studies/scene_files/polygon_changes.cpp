@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_lines_named = 3;
 
-/// What is said of one polygon, and of several.
+/// The messages for one polygon, and for several.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 5> words_of_changes{{
     {"has no area and is left out", "have no area and are left out"},
     {"is a copy of another and is left out", "are copies of others and are left out"},

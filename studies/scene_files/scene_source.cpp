@@ -7,9 +7,9 @@
 namespace ff::studies {
 namespace {
 
-/// That of a file of EnergyPlus takes this, and a zone of it, behind it.
+/// The name of an EnergyPlus file can be followed by this and the name of a zone.
 constexpr std::string_view before_zone = " zone:";
-/// A scene's name takes this, and the faces that are mirrors, behind it.
+/// The name of a scene can be followed by this and the faces that are mirrors.
 constexpr std::string_view before_mirrors = " mirrors:";
 constexpr char between_mirrors = '+';
 

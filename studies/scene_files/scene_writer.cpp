@@ -23,7 +23,7 @@ bool is_a_word(const std::string& name) {
     return !name.empty() && name != occluder_group && name.find_first_of(" \t\r\n#") == std::string::npos;
 }
 
-/// Calls `write(surface)` for the surfaces of a face after the other, those of no face last.
+/// Calls `write(surface)` for the surfaces of one face after the other; those of no face come last.
 template <class Write>
 void by_faces(const Scene& scene, const Write& write) {
     std::vector<const Surface*> surfaces;

@@ -67,7 +67,7 @@ class Vs3Reader {
         for (Vs3Surface& surface : surfaces_) {
             if (builder_.has_area(surface.corners, surface.line)) sound.push_back(&surface);
         }
-        // What lies on a surface is cut out of it, and has its final corners before that.
+        // Parts that lie on a surface are cut out of it, and get their final corners before that.
         for (Vs3Surface* const surface : sound) {
             if (surface->base != 0) fit(*surface);
         }
@@ -88,7 +88,7 @@ class Vs3Reader {
   private:
     SceneBuilder builder_;
     bool places_shapes_ = false;       ///< format 3a
-    std::optional<Vs3Shape> pending_;  ///< what the numbers of the next lines belong to
+    std::optional<Vs3Shape> pending_;  ///< shape that the numbers of the next lines belong to
     std::map<long, Vector3d> vertices_;
     std::vector<Vs3Surface> surfaces_;
     std::map<long, std::size_t> by_number_;           ///< place in `surfaces_`
@@ -96,7 +96,7 @@ class Vs3Reader {
     std::map<long, int> faces_;                       ///< faces by the number of a surface
     std::vector<MaskedPart> masks_;
     std::vector<FaceMaterial> materials_;
-    std::size_t moved_ = 0;  ///< parts that did not fit their bases for rounding
+    std::size_t moved_ = 0;  ///< number of parts that did not fit their bases because of rounding
     double most_moved_ = 0;
     bool closed_ = false;
     bool ended_ = false;
@@ -221,7 +221,7 @@ class Vs3Reader {
         }
     }
 
-    /// The surface of that number. @throws UserError where it does not come before
+    /// The surface with that number. @throws UserError where it is not defined before
     [[nodiscard]] const Vs3Surface& earlier(const Vs3Surface& surface, long number, std::string_view what) const {
         const auto found = by_number_.find(number);
         if (found == by_number_.end() || found->second >= by_number_.at(surface.number))

@@ -30,7 +30,7 @@ bool is_convex(const ConvexPolygon& corners, const Vector3d& normal) {
     return true;
 }
 
-/// A base as such pieces.
+/// A base as convex pieces.
 std::vector<ConvexPolygon> convex_pieces(const Vs3Surface& base) {
     if (is_convex(base.corners, base.normal())) return {base.corners};
     std::vector<ConvexPolygon> pieces;
@@ -56,7 +56,7 @@ double reach_beyond(const ConvexPolygon& part, const std::vector<ConvexPolygon>&
     return reach;
 }
 
-/// A part without what lies beyond the edges of its base, by at most so much.
+/// A part without what lies beyond the edges of its base by at most this length.
 ConvexPolygon cut_at_rim(ConvexPolygon part, const ConvexPolygon& base, const Vector3d& normal, double most_off) {
     for (std::size_t k = 0; k < base.size(); ++k) {
         const Vector3d inwards = normal.cross(next_corner(base, k) - base[k]).normalized();
@@ -128,7 +128,7 @@ FitOnBase fit_on_base(Vs3Surface& part, const Vs3Surface& base, double most_off)
     if (part.kind == 'S' && !faces_same_way) return {"faces the other way than", "", 0};
     if (part.kind != 'S' && faces_same_way) return {"does not face", "", 0};
 
-    // Where nothing is noticeable, corners stay what they are: neighbours may share them.
+    // Where no difference is noticeable, corners stay as they are: neighbours may share them.
     if (fit.off <= gap) fit.off = 0;
     if (fit.off > 0) {
         for (Vector3d& corner : part.corners) corner -= normal.dot(corner - base.corners[0]) * normal;

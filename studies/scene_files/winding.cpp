@@ -41,8 +41,7 @@ std::vector<Side> sides_of(const Scene& scene) {
     return sides;
 }
 
-/// Calls use(first, second) for edges that exactly two surfaces have. Where bodies or fins meet in one, it says
-/// nothing.
+/// Calls use(first, second) for edges that exactly two surfaces have. An edge where bodies or fins meet says nothing.
 template <class Use>
 void for_each_common_edge(std::vector<Side>& sides, const Use& use) {
     const auto key = [](const Side& side) { return std::pair(side.low, side.high); };

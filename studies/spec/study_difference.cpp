@@ -57,7 +57,7 @@ void for_each_difference(std::string_view first, std::string_view second, const 
     }
 }
 
-/// "'seed = 1'", of long values what is around a place.
+/// "'seed = 1'"; for long values, the part around a place.
 std::string shown(const Entry* entry, std::string_view key, std::size_t place) {
     constexpr std::size_t before = 40;
     constexpr std::size_t most = 100;

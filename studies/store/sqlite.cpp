@@ -15,7 +15,7 @@ namespace {
 /// Bytes of an absolute path that leave room for the log's name beside it.
 constexpr std::size_t longest_name = 500;
 
-/// How long another program that has the file open is waited for.
+/// How long to wait for another program that has the file open.
 constexpr int patience_ms = 10'000;
 
 static_assert(std::endian::native == std::endian::little, "blobs are little-endian");
@@ -143,8 +143,8 @@ std::string sqlite_name(const std::filesystem::path& file) {
 }
 
 Database::Database(const std::filesystem::path& file, Mode mode) {
-    // Where one only reads, one thread does at a time; a lock for each value would take a fifth of the time of a
-    // report.
+    // A connection that only reads is used by one thread at a time; a lock for each value would take a fifth of the
+    // time of a report.
     const int flags = mode == Mode::read_only ? SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX
                                               : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_FULLMUTEX;
     if (sqlite3_open_v2(sqlite_name(file).c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
@@ -153,7 +153,7 @@ Database::Database(const std::filesystem::path& file, Mode mode) {
         throw IoError(fmt::format("{}: {}. Check that the folder exists and can be written.", file.string(), reason));
     }
     sqlite3_busy_timeout(handle_, patience_ms);
-    // A file from elsewhere runs nothing of its own: no trigger, no view, no function in its schema.
+    // A file from elsewhere must not run code: no trigger, no view, no function in its schema.
     for (const auto& [option, value] :
          {std::pair{SQLITE_DBCONFIG_DEFENSIVE, 1}, std::pair{SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0},
           std::pair{SQLITE_DBCONFIG_ENABLE_TRIGGER, 0}, std::pair{SQLITE_DBCONFIG_ENABLE_VIEW, 0}}) {
@@ -188,7 +188,7 @@ bool Database::execute_unless_busy(const char* sql) {
 }
 
 void Database::execute_in_turn(const char* sql) {
-    // SQLite waits for no lock where two wait for each other, as they do who change the journal at once.
+    // SQLite does not wait for a lock where two programs wait for each other, as happens when both change the journal.
     constexpr int pause_ms = 10;
     for (int left = patience_ms / pause_ms; left > 0; --left) {
         if (execute_unless_busy(sql)) return;

@@ -129,7 +129,7 @@ void create(Database& database, const StudyPlan& plan) {
     database.execute("COMMIT");
 }
 
-/// Makes a store of an earlier version one of this.
+/// Upgrades a store of an earlier version to this one.
 void upgrade(Database& database, const std::filesystem::path& file, const StudyPlan& plan) {
     database.execute("BEGIN IMMEDIATE");
     // Another process may just have done it.
@@ -292,7 +292,7 @@ std::int64_t Store::total(std::size_t cell, std::string_view observable, int fro
 std::string difference_of_study(const std::filesystem::path& file, const StudySpec& wanted) {
     expect_no_log_of_another(file);
     const Database database(file, Database::Mode::read_only);
-    if (is_empty(database)) return {};  // what a run leaves that ended before it began
+    if (is_empty(database)) return {};  // left by a run that ended before it began
     expect_readable(database, file, result_store_format);
     return difference_from(database, wanted);
 }

@@ -50,7 +50,7 @@ std::uint64_t with_value(Digest digest, double value) {
     return std::isnan(value) ? digest.add(no_number).value() : digest.add_number(value).value();
 }
 
-/// What is saved of a unit, and what its rows say. Sums of digests do not depend on the order of rows.
+/// The saved data of a unit, and the sums over its rows. Sums of digests do not depend on the order of rows.
 struct SavedUnit {
     bool saved = false;
     std::uint64_t digest = 0;
@@ -137,7 +137,7 @@ class Rows {
         if (!row.is_number(5) || row.integer(5) < 0) refuse("a negative number");
         std::vector<std::int64_t>& arrived = arrived_[from];
         arrived.resize(trials_[cell]);
-        // In the order of their names: rays come after what became of them.
+        // Rows are in the order of names: numbers of rays come after those of hits and lost rays.
         std::int64_t& sum = arrived[unit.first + (trial - plan_.units[*index].first_trial)];
         if (observable == observable::rays && sum > row.integer(5))
             refuse("fewer rays than have hit something or were lost");

@@ -35,7 +35,7 @@ void expect_own_tables(const Database& database, const std::filesystem::path& fi
     }
 }
 
-/// In words; empty for a regular file.
+/// The kind of file in words; empty for a regular file.
 std::string_view kind_of_no_file(std::filesystem::file_type type) {
     switch (type) {
         case std::filesystem::file_type::regular:

@@ -43,7 +43,7 @@ std::optional<ExpectedRate> rate_of_net(Integrand integrand, double dimension) {
     return std::nullopt;
 }
 
-/// Every unbiased rule of finite variance whose parts do not know of each other.
+/// The rate of every unbiased rule with finite variance whose parts are independent of each other.
 ExpectedRate root_of_size(std::string_view source, std::string_view because) {
     return {.rate = -0.5, .source = source, .because = because};
 }

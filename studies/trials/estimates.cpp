@@ -27,7 +27,7 @@ std::vector<double> direct_values(const Store& store, std::size_t cell, const Di
     return std::move(series.value);
 }
 
-/// Rays of each face, for each pair of faces those of the one that was shot from.
+/// For each pair of faces, the number of rays of the face that was shot from.
 std::vector<double> rays_of_pairs(const CellEstimates& estimates, const Scene& scene, Completion completion) {
     const Eigen::VectorXd of_face = static_cast<double>(estimates.evaluations_per_face) * parts_a_surface(scene);
     std::vector<double> rays;

@@ -8,7 +8,7 @@
 namespace ff::studies {
 namespace {
 
-/// What the pilot of a cell says about one pair.
+/// The result of a cell's pilot for one pair.
 struct PairPilot {
     std::optional<stats::Pilot> pilot;
     VarianceStatus variance = VarianceStatus::finite;
@@ -54,7 +54,7 @@ bool pilot_is_saved(const Store& store, std::size_t cell, const std::vector<bool
     });
 }
 
-/// The largest number that a judged pair asks for; 0 where none can be judged.
+/// The largest number that a judged pair requires; 0 where none can be judged.
 std::uint64_t wanted_trials(const StudySpec& spec, const std::vector<PairPilot>& pairs) {
     std::uint64_t wanted = 0;
     for (const PairPilot& pair : pairs) {
@@ -63,7 +63,7 @@ std::uint64_t wanted_trials(const StudySpec& spec, const std::vector<PairPilot>&
     return wanted;
 }
 
-/// Up to the end of the unit that holds the last of them.
+/// Rounded up to the end of the unit that contains the last of them.
 std::uint64_t whole_units(const StudyPlan& plan, std::size_t cell, std::uint64_t trials) {
     std::uint64_t end = 0;
     for (const WorkUnit& unit : plan.units) {

@@ -123,7 +123,7 @@ Band read_band(const TomlReader& reader, const Gate& gate) {
     return band;
 }
 
-/// Keys that only some kinds take.
+/// Keys that only some kinds accept.
 struct OwnKey {
     std::string_view key;
     std::vector<GateKind> kinds;
@@ -210,7 +210,8 @@ void read_anytime(const TomlReader& reader, Gate& gate) {
     if (gate.tightest_at < 2) reader.fail("tightest_at", "(a number of trials, at least 2). Try 100.");
 }
 
-/// How the bins vary that a gate judges together: independently, or by a file from the folder of the bands file.
+/// How the bins that a gate judges together vary: independently, or according to a file from the folder of the bands
+/// file.
 void read_covariance(const TomlReader& reader, Gate& gate) {
     const bool known = gate.combine == Combination::chi_squared;
     if (known && gate.kind != GateKind::bias && gate.kind != GateKind::equal)
@@ -225,7 +226,7 @@ void read_covariance(const TomlReader& reader, Gate& gate) {
         gate.covariance = std::filesystem::path(reader.origin()).parent_path() / covariance;
 }
 
-/// What a gate on another program's quantity may have.
+/// The keys that a gate on another program's quantity may have.
 void read_reported(const TomlReader& reader, Gate& gate) {
     reader.expect_only({"name", "kind", "quantity", "reference", "reference_se", "band", "combine", "relative",
                         "anytime", "bounds", "tightest_at", "covariance", "kurtosis"});

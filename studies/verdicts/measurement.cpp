@@ -120,7 +120,7 @@ Measurement measure_proportion(const stats::Proportion& counts, const Band& band
 }
 
 std::optional<Measurement> measure_slope(std::span<const stats::Rung> ladder, const Band& band, const Levels& levels) {
-    // One resample: the bootstrap interval does not reach the levels asked for, and is not used.
+    // One resample is enough: the bootstrap interval does not reach the requested levels, and is not used.
     const auto fitted =
         stats::fit_rmse_rate(ladder, levels.of_failing(), stats::ResamplingPlan{.key = {}, .replicates = 1});
     if (!fitted) return std::nullopt;

@@ -34,14 +34,14 @@ double reach_to_pass(const Levels& levels, std::size_t comparisons) {
     return stats::normal_critical(levels.pass_alpha) + stats::normal_critical(miss(levels, comparisons));
 }
 
-/// What the reference leaves of the half width of a band; empty where that is nothing.
+/// The part of the half width of a band that the reference leaves; empty where nothing is left.
 std::optional<double> room_beside(double half_width, double reference_se, double reach) {
     const double uncertain = reach * reference_se;
     if (uncertain >= half_width) return std::nullopt;
     return std::sqrt(half_width * half_width - uncertain * uncertain);
 }
 
-/// How many times the trials of Student's t an interval takes that allows for skewness which normal values do not have.
+/// Number of trials relative to Student's t for an interval that allows for skewness, which normal values do not have.
 double price_of_caution(const Levels& levels, std::size_t comparisons, std::uint64_t trials) {
     const auto n = static_cast<double>(std::max(trials, fewest_trials));
     const double t = stats::student_critical(n - 1, levels.pass_alpha);

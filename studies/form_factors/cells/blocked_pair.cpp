@@ -128,7 +128,7 @@ class Lines {
     }
 
     /// Adds the line in which a plane cuts the source.
-    /// @param happens  whether what the line stands for is seen on the way from one of its ends to the other
+    /// @param happens whether the event that the line stands for is seen somewhere between its two ends
     template <class Happens>
     void add(const Vector3d& p, const Vector3d& normal, const Happens& happens) {
         const Vector3d across = normal - normal.dot(pair_.source_normal) * pair_.source_normal;
@@ -160,10 +160,10 @@ class Lines {
             lines_.push_back({ends[0], across.normalized(), std::move(heights)});
     }
 
-    /// Each line makes one part more at least.
+    /// Each line adds at least one part.
     [[nodiscard]] bool are_too_many() const { return lines_.size() >= most_parts_; }
 
-    /// The source cut along them; none where that makes too many parts.
+    /// The source cut along the lines; empty where there would be too many parts.
     [[nodiscard]] std::vector<ConvexPolygon> parts() const {
         std::vector<ConvexPolygon> parts{pair_.source};
         for (const Line& line : lines_) {
@@ -187,8 +187,8 @@ class Lines {
 
   private:
     struct Line {
-        Vector3d place;               ///< on it
-        Vector3d across;              ///< it, in the plane of the source; unit length
+        Vector3d place;               ///< a place on the line
+        Vector3d across;              ///< direction across the line, in the plane of the source; unit length
         std::vector<double> heights;  ///< heights of the source's corners
     };
     const BlockedPair& pair_;
@@ -197,8 +197,8 @@ class Lines {
     std::vector<Line> lines_;
 };
 
-/// Where on the line from `a` to `b` it is crossed, as seen from a place, by the line of sight through `other`: 0 at a,
-/// 1 at b.
+/// Where the line from `a` to `b` is crossed, as seen from a place, by the line of sight through `other`: 0 at a, 1 at
+/// b.
 double crossing(const Vector3d& place, const Vector3d& a, const Vector3d& b, const Vector3d& other) {
     const Vector3d across = (other - place).cross((b - a).cross(other - place));
     const double before = across.dot(a - place);
@@ -228,7 +228,7 @@ std::vector<ConvexPolygon> smooth_parts(const BlockedPair& pair, const std::vect
         return std::abs(pair.source_normal.dot(place - pair.source.front()));
     };
     for (const RimEdge& edge : rim) {
-        // What stands on the source by an edge is seen from its other side beyond it.
+        // A blocker that stands on the source with an edge is seen from its other side beyond that edge.
         if (std::max(height(edge.a), height(edge.b)) <= same_length * pair.size)
             lines.add(edge.a, (edge.b - edge.a).cross(pair.source_normal), always);
         for (const Vector3d& corner : pair.target) add_plane(edge.a, edge.b, corner);

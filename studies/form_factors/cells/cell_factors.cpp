@@ -106,8 +106,8 @@ double RoundSource::most_stretch(const Quadrilateral& part) const {
 }
 
 PartExtent RoundSource::extent(const Quadrilateral& part, const Vector3d& origin) const {
-    // Places are at most so many times as far apart as in the rectangle: along a meridian the square root of 3 where it
-    // ends in a point, and a little more as the rectangle was measured along chords.
+    // Places are at most this many times as far apart as in the rectangle: along a meridian the square root of 3 where
+    // it ends in a point, and a little more as the rectangle was measured along chords.
     constexpr double farther_along = 1.8;
     constexpr double farther_around = 1.2;
     PartExtent result;

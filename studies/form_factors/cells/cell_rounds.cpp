@@ -10,7 +10,7 @@
 namespace ff::studies::form_factors {
 namespace {
 
-/// Evaluations of two surfaces at least, and at most: some seconds.
+/// Least and largest number of evaluations for two surfaces: at most some seconds.
 constexpr std::uint64_t least_evaluations = 256;
 constexpr std::uint64_t most_evaluations = std::uint64_t{1} << 22;
 

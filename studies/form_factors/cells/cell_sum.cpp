@@ -17,8 +17,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Where the most that is left of any cell between lines, in all cells, is no more than this share of what is wanted,
-/// one random place in a random cell stands for all cells in each randomisation.
+/// Where the largest remainder of any cell between lines, times the number of cells, is at most this share of the
+/// wanted half width, one random place in a random cell stands for all cells in each randomisation.
 constexpr double pooled_left = 0.5;
 
 /// Random places in the cells of a source.
@@ -45,7 +45,7 @@ class CellSampling {
                 squares += most * most;
             }
         }
-        // Between lines, no more is left where no place of a cell has been than anywhere else in it.
+        // Between lines, the remainder at places of a cell that were not visited is no larger than elsewhere in it.
         share_.points = randomisations;
         share_.unmet = {.rough = std::sqrt(squares)};
         if (!source_.is_cut()) allow_for_unmet();
@@ -60,7 +60,8 @@ class CellSampling {
     std::vector<Vector2d> uvs_;
     std::vector<CellFactors::RandomPlace> places_;
 
-    /// Adds what is left at random places, each standing for so many cells. @return the largest that was met
+    /// Adds the remainders at random places, each of which stands for this many cells. @return the largest remainder
+    /// met
     double add_left(std::uint32_t index, double cells, std::span<const std::uint32_t> trials) {
         const Cell& cell = source_.cells()[index];
         uvs_.clear();
@@ -84,7 +85,7 @@ class CellSampling {
         return most;
     }
 
-    /// One random cell of each randomisation stands for all of them. @return the largest that was met
+    /// One random cell of each randomisation stands for all cells. @return the largest remainder met
     double add_left_of_some() {
         const std::size_t count = source_.cells().size();
         std::array<std::uint64_t, randomisations> cell{};
@@ -104,8 +105,8 @@ class CellSampling {
         return most;
     }
 
-    /// What random places may have missed is in one cell: both bounds are convex in the share of places, so that no
-    /// spread over several cells holds more.
+    /// What random places may have missed is largest if it lies in one cell: both bounds are convex in the share of
+    /// places, so that spreading it over several cells gives no more.
     void allow_for_unmet() {
         const auto all = static_cast<double>(source_.places());
         share_.points *= source_.places();

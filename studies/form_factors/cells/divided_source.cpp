@@ -20,22 +20,22 @@ constexpr double parts_per_tolerance = 0.6;
 constexpr double least_most_parts = 6;
 constexpr double most_evaluations_of_part = 128;
 
-/// What exchanges no more tolerances than this is tried without cutting it.
+/// A pair that exchanges at most this many tolerances is first tried without cutting the source.
 constexpr double few_tolerances = 6;
 
-/// Cells are halved until what is left at places between the nodes is so much of what is wanted, added up as
-/// independent errors. What random places may miss in a cell has to stay within what that leaves.
+/// Cells are halved until the remainders at places between the nodes, added up as independent errors, are this share of
+/// the wanted half width. What random places may miss in a cell has to stay within the rest.
 constexpr double left_of_wanted = 0.3;
 constexpr double most_of_wanted = 0.95;
 constexpr double width_of_left = 0.8;
 
-/// Cells of which at least this share of the most is left are halved together.
+/// Cells whose remainder is at least this share of the largest one are halved together.
 constexpr double as_bad = 0.5;
 
 /// Places in the unit square between the nodes of every rule.
 constexpr std::array<std::array<double, 2>, 4> between_nodes{{{0.2, 0.3}, {0.7, 0.2}, {0.8, 0.7}, {0.3, 0.8}}};
 
-/// The rule for an exchange area of so many tolerances.
+/// The rule for an exchange area of this many tolerances.
 const CellRule& rule_for(double tolerances) {
     static const std::array<CellRule, 4> rules{CellRule(2), CellRule(3), CellRule(4), CellRule(6)};
     return rules[tolerances < 10 ? 0 : tolerances < 1000 ? 1 : tolerances < 1e5 ? 2 : 3];
@@ -162,7 +162,7 @@ double DividedSource::most_unmet(double left) const {
     return most_of_wanted * limits_.wanted - width_of_left * std::min(left, left_of_wanted * limits_.wanted);
 }
 
-/// Random places are still to come.
+/// The random places are still to be drawn.
 bool DividedSource::is_at_limit() const {
     const bool is_stopped = limits_.stop != nullptr && *limits_.stop;
     return is_stopped || factors_.evaluations() + randomisations * places_ >= limits_.evaluations;
@@ -172,7 +172,7 @@ bool DividedSource::may_miss_too_much(const Cell& cell) const {
     return cell.unmet(side_, unmet_share_) > most_unmet(left_);
 }
 
-/// @return whether so many places as a cell may have are enough
+/// @return whether the largest number of places that a cell may have is enough
 bool DividedSource::take_more_places(Cell& cell) {
     const std::uint32_t before = cell.places;
     while (may_miss_too_much(cell) && cell.places < most_places) ++cell.places;
@@ -182,7 +182,7 @@ bool DividedSource::take_more_places(Cell& cell) {
     return are_enough;
 }
 
-/// Halves the cells of which most is left, and those in which random places may miss too much.
+/// Halves the cells with the largest remainders, and those in which random places may miss too much.
 void DividedSource::refine() {
     const bool leaves_too_much = left_ > left_of_wanted * limits_.wanted;
     double most = 0;

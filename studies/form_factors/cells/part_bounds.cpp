@@ -124,7 +124,7 @@ double Rims::slope(const PartExtent& part, std::span<const std::uint32_t> blocke
 PartBounds::Polygon::Polygon(ConvexPolygon polygon)
     : corners(std::move(polygon)), normal(twice_area(corners)), area(normal.norm() / 2) {}
 
-/// What lies below the horizon of a flat source neither sends nor hides anything.
+/// Parts below the horizon of a flat source neither send nor hide anything.
 ConvexPolygon PartBounds::above_horizon(const Surface& surface, const Vector3d& origin) const {
     ConvexPolygon result = corners(surface.shape);
     for (Vector3d& corner : result) corner -= origin;

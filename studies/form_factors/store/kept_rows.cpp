@@ -46,7 +46,7 @@ void expect_same(const Database& database, const std::filesystem::path& file, co
 
 KeptRows::KeptRows(const std::filesystem::path& file, const SceneSource& source, const Request& request)
     : file_(file), database_(file, Database::Mode::create_or_open) {
-    // Safe whatever happens to the process; if the machine fails, checksums tell.
+    // Safe whatever happens to the process; if the machine fails, checksums show it.
     database_.execute("PRAGMA synchronous = OFF; BEGIN IMMEDIATE");
     Statement tables(database_.handle(), "SELECT count(*) FROM sqlite_master");
     tables.step();

@@ -243,7 +243,7 @@ class MatrixReader {
 void save_matrix(const std::filesystem::path& file, const KeptMatrix& kept) {
     FF_EXPECT(!std::filesystem::exists(file) || std::filesystem::is_empty(file));
     Database database(file, Database::Mode::create_or_open);
-    database.execute("PRAGMA journal_mode = OFF; BEGIN IMMEDIATE");  // a file that is not finished is of no use
+    database.execute("PRAGMA journal_mode = OFF; BEGIN IMMEDIATE");  // an unfinished file is useless
     database.execute(form_factor_schema);
     write_about(database, kept);
     write_faces(database, kept);

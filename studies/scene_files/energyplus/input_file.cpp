@@ -16,7 +16,7 @@ constexpr std::string_view fields_of_walls =
     "name construction_name zone_name space_name outside_boundary_condition outside_boundary_condition_object "
     "sun_exposure wind_exposure view_factor_to_ground number_of_vertices";
 
-/// Every class that matters for the geometry of zones, in small letters.
+/// Every class that matters for the geometry of zones, in lower case.
 constexpr std::array classes{
     Class{"version", "version_identifier"},
     Class{"globalgeometryrules", "starting_vertex_position vertex_entry_direction coordinate_system"},

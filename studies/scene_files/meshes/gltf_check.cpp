@@ -16,11 +16,11 @@
 namespace ff::studies::meshes {
 namespace {
 
-/// Extensions whose names begin so leave shapes and places alone.
+/// Extensions whose names begin with these texts do not affect shapes and places.
 constexpr std::array<std::string_view, 8> extensions_of_looks{"KHR_materials_", "KHR_texture_",    "KHR_lights_",
                                                               "KHR_xmp",        "EXT_texture_",    "EXT_lights_",
                                                               "MSFT_texture_",  "ADOBE_materials_"};
-/// These do not, even where a file says that it can be read without them.
+/// These extensions do affect them, even where a file says that it can be read without them.
 constexpr std::array<std::string_view, 5> extensions_of_shapes{"EXT_mesh_gpu_instancing", "KHR_draco_mesh_compression",
                                                                "EXT_meshopt_compression", "KHR_meshopt_compression",
                                                                "KHR_node_visibility"};
@@ -106,7 +106,7 @@ class GltfCheck {
         }
     }
 
-    /// Whole numbers stand for coordinates only by an extension.
+    /// Whole numbers are coordinates only by an extension.
     void expect_real_places(const JsonValue& primitive) const {
         const JsonValue* const attributes = primitive.find("attributes");
         const JsonValue* const position = attributes == nullptr ? nullptr : attributes->find("POSITION");

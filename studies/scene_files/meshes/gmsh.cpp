@@ -25,7 +25,7 @@ enum class Version { two, four_0, four_1 };
 /// A type of elements of gmsh.
 struct GmshElement {
     std::uint8_t dimension = 0;
-    std::uint8_t corners = 0;  ///< which are its first nodes
+    std::uint8_t corners = 0;  ///< number of corners, which are its first nodes
     std::uint16_t nodes = 0;
 };
 

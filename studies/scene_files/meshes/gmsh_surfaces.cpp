@@ -29,7 +29,7 @@ void GmshSurfaces::add_side(std::int64_t number, std::int64_t physical, std::int
     if (!is_new) {
         Element& element = elements_[known->second];
         const auto& tags = element.physical;
-        // The same element of the same physical surface is there twice by mistake, which is said of every mesh.
+        // The same element of the same physical surface occurs twice by mistake; a note on that is made for every mesh.
         const bool is_copy = physical == 0 ? tags.empty() : std::find(tags.begin(), tags.end(), physical) != tags.end();
         if (!is_copy && element.surface == surface) {
             if (physical != 0) element.physical.push_back(physical);

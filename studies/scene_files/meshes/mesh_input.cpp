@@ -178,7 +178,7 @@ std::int64_t MeshInput::whole(NumberType type) {
 }
 
 void MeshInput::expect_room(std::uint64_t tuples, std::uint64_t components, std::size_t bytes) const {
-    // In text, a number takes a digit and a blank; the last one may do without the blank.
+    // In text, a number takes at least a digit and a blank; the last one needs no blank.
     const std::uint64_t room = encoding_ == Encoding::text ? (left() + 1) / 2 : left() / bytes;
     if (components == 0 || tuples <= room / components) return;
     fail(

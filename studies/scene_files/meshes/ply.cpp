@@ -121,7 +121,7 @@ class PlyReader {
         expect_properties(element);
         std::size_t bytes = 0;
         for (const Property& property : element.properties) bytes += property.count_type.value_or(property.type).bytes;
-        // What has no property takes no bytes, however many there are of it.
+        // Elements without properties take no bytes, however many there are.
         if (bytes == 0) return;
         in_.expect_room(element.count, in_.encoding() == Encoding::text ? element.properties.size() : 1, bytes);
         for (std::uint64_t i = 0; i < element.count; ++i) {

@@ -43,7 +43,7 @@ class CellPolygons {
           first_point_(static_cast<std::int64_t>(piece.first_point)),
           points_(static_cast<std::int64_t>(piece.points)) {}
 
-    /// Adds nothing of points and lines, and counts volume cells. @throws UserError
+    /// Adds nothing for points and lines, and counts volume cells. @throws UserError
     void add(std::size_t number, std::int64_t type, CellCorners points, const std::string& group) {
         cell_ = fmt::format("cell {}", number);
         group_ = group;
@@ -149,7 +149,7 @@ std::string quoted(const std::vector<std::string>& names) {
     return names.size() > most_named ? fmt::format("{} and {} more", text, names.size() - most_named) : text;
 }
 
-/// The points of a cell, which begin there in the list of all. @throws UserError where it does not end behind that
+/// The points of a cell, which begin at this place in the list of all. @throws UserError where they do not end after it
 CellCorners points_of_cell(std::string_view file, const VtkCells& cells, std::size_t cell, std::size_t begin) {
     const auto end = static_cast<std::size_t>(cells.ends[cell]);
     if (end < begin || end > cells.points.size())

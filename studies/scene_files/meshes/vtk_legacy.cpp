@@ -39,7 +39,7 @@ class LegacyReader {
     LegacyReader(std::string_view file, std::string_view bytes) : file_(file), in_(file, bytes), mesh_(file) {}
 
     SurfaceMesh read() && {
-        in_.line();  // that tells the version: what differs is seen where it differs
+        in_.line();  // the version, which is not needed: differences are noticed where they occur
         in_.line();  // a title
         in_.set_section("header");
         const std::string encoding = in_capitals(in_.line());
@@ -69,7 +69,7 @@ class LegacyReader {
     std::array<VtkCells, sections.size()> of_sections_;
     VtkCells cells_;
     Owner owner_ = Owner::none;
-    std::uint64_t owned_ = 0;  ///< cells or points that arrays are of
+    std::uint64_t owned_ = 0;  ///< number of cells or points that arrays belong to
     VtkArrays arrays_;         ///< arrays of cells
 
     void read_section(const std::string& keyword) {

@@ -62,7 +62,7 @@ class XmlReader {
 
     [[noreturn]] void fail(std::string_view problem) const { throw UserError(fmt::format("{}: {}", file_, problem)); }
 
-    /// What is appended need not be XML: the document ends before it.
+    /// Appended data need not be XML: the document ends before them.
     void parse(std::string_view bytes) {
         std::string text(bytes);
         const std::size_t tag = bytes.find(appended_tag);
@@ -116,7 +116,7 @@ class XmlReader {
         return array;
     }
 
-    /// Calls read(input) with the numbers of an array, and sees that it leaves none.
+    /// Calls read(input) with the numbers of an array, and checks that it leaves none.
     template <class Read>
     auto with_numbers(pugi::xml_node array, Read read) const {
         const std::string place = fmt::format("{}: array '{}'", file_, excerpt(array.attribute("Name").value()));

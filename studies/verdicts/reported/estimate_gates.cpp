@@ -35,7 +35,7 @@ constexpr double fewest_effective = 30;  // independent trials that correlated o
 constexpr std::string_view how_it_happens =
     "Was every trial seeded alike, or a file joined to itself? Give every trial a seed of its own";
 
-/// @return what else there is to say of repeats, in words; empty where there are none beyond chance
+/// @return a note on repeats; empty where there are none beyond chance
 /// @throws UserError where trials were certainly repeated
 std::string examine_repeats(const EstimateSeries& series, const std::string& origin) {
     const auto& values = series.values;
@@ -140,7 +140,7 @@ std::optional<Measurement> measurement_of(const Gate& gate, const ExaminedSeries
     FF_EXPECT(gate.kind == GateKind::std);
     const auto moments = stats::moments_of(values, values.front());
     const auto spread = stats::mean_square_of(moments);
-    // In units of their standard deviation, so that no power of a square is beyond what can be computed.
+    // In units of their standard deviation, so that powers of squares do not overflow.
     std::vector<double> standardised;
     for (const double value : values) standardised.push_back((value - *moments.mean()) / *moments.standard_deviation());
     auto logarithm = logarithm_of_spread(standardised, 0);
@@ -149,7 +149,7 @@ std::optional<Measurement> measurement_of(const Gate& gate, const ExaminedSeries
     return measure_spread(*spread, *logarithm, *gate.reference, gate.band, examined.levels);
 }
 
-/// What a mean outside of its band rests on: no rule excludes values that all trials have missed.
+/// The note on a mean outside its band: no rule excludes values that all trials have missed.
 std::string explained_by_unseen(const Gate& gate, const ExaminedSeries& examined, const Measurement& found) {
     const double end = found.value < gate.band.low ? gate.band.low : gate.band.high;
     const auto unseen = stats::unseen_value(*gate.reference + found.value, *gate.reference + end,
@@ -158,7 +158,7 @@ std::string explained_by_unseen(const Gate& gate, const ExaminedSeries& examined
                        unseen.value, std::ceil(unseen.one_in));
 }
 
-/// What the measurement cannot say, in words.
+/// The limits of the measurement, in words.
 std::string missing(const Gate& gate, const ExaminedSeries& examined, const Comparison& row) {
     if (gate.kind == GateKind::distribution) {
         if (row.measurement) return {};
@@ -198,7 +198,7 @@ std::optional<std::uint64_t> trials_for_spread(const Gate& gate, const ExaminedS
                             std::numeric_limits<double>::infinity(), examined.levels, 1);
 }
 
-/// The trials of the second file: of the same quantity, and of no run that the first has.
+/// The trials of the second file: they have to be of the same quantity, and not of a run that the first file has.
 void add_other(const Gate& gate, const EstimatesFile& against, ExaminedSeries& examined) {
     examined.other = find_series(against, gate.quantity, gate.place);
     const auto second = examine_independence(*examined.other, against.origin);
@@ -209,8 +209,8 @@ void add_other(const Gate& gate, const EstimatesFile& against, ExaminedSeries& e
     if (!examined.independence.correlation && second.correlation) examined.independence = second;
 }
 
-/// Where tails are long, squares are more skewed than trials show, and their mean too small too often: half the risk
-/// of a pass keeps that rate about where it is promised.
+/// Where tails are long, squares are more skewed than trials show, and their mean too small too often: half the risk of
+/// a pass keeps that rate near the promised one.
 bool has_long_tails(const std::vector<double>& values) {
     const auto excess = stats::moments_of(values, values.front()).excess_kurtosis();
     return excess && *excess > 2 * *stats::excess_kurtosis_standard_error(values.size());

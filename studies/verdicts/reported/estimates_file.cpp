@@ -20,7 +20,7 @@ struct EstimateColumns {
 };
 constexpr std::array<std::string_view, 3> estimate_columns{"trial", "quantity", "estimate"};
 
-/// Where each column stands in a record.
+/// Position of each column in a record.
 using EstimateHeader = std::array<std::size_t, estimate_columns.size()>;
 
 struct Row {

@@ -29,7 +29,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // Common mistakes of codes in reporting a mean and its error, recognised by the size of the discrepancy. Hints, never
 // verdicts: a sentence with a full stop, empty where nothing fits.
 
-/// Far from what chance makes of a hundred runs, near enough to name one factor and no other.
+/// Wide enough for the chance of a hundred runs, narrow enough to name a single factor.
 bool is_near(double a, double b) {
     return a > 0 && b > 0 && std::abs(std::log(a / b)) < 0.15;
 }
@@ -119,7 +119,7 @@ bool trusts(const Bins& bins) {
     return bins.file->has_errors && bins.runs < enough_runs;
 }
 
-/// Errors are trusted where runs are few, but not against what these few show: variances given as errors make them
+/// Stated errors are trusted where runs are few, unless these few contradict them: variances given as errors make runs
 /// scatter far too much. By F of the spread between runs over what they state, averaged over bins, with the freedom of
 /// one bin, since bins may be correlated.
 void expect_scatter_as_stated(BinComparison& comparing, const Bins& bins) {
@@ -255,7 +255,7 @@ void compare_errors(BinComparison& comparing) {
         fmt::format(".{}", fault_of_errors(std::exp(ratios / judged), std::exp(errors / judged), bins.rows[0].n));
 }
 
-/// Bins that are said to be independent are looked at where there are several runs, also of hits.
+/// Bins that are said to be independent are examined where there are several runs, including runs of hits.
 void expect_independent_bins(BinComparison& comparing, const Bins& bins) {
     constexpr std::size_t most_runs = 50;  // more would take long, and show little more
     const std::size_t runs = std::min(bins.runs, most_runs);

@@ -30,10 +30,10 @@ constexpr std::array<std::string_view, 10> reported_columns{"quantity", "mean", 
 constexpr std::array<ReportedColumn, 4> value_columns{
     ReportedColumn::mean, ReportedColumn::count, ReportedColumn::share, ReportedColumn::hits};  // in the order of Holds
 
-/// Where each column stands in a record.
+/// Position of each column in a record.
 using ReportedHeader = std::vector<std::optional<std::size_t>>;
 
-/// By the columns that are there; means where none of them is.
+/// Determined by the columns that are present; means where there are none of these.
 Holds held(const ReportedHeader& header) {
     if (header[ReportedColumn::hits]) return Holds::hits;
     if (header[ReportedColumn::count]) return Holds::counts;
@@ -81,7 +81,7 @@ ReportedHeader read_reported_header(CsvReader& reader, std::string_view origin, 
     reader.fail(field, fmt::format("{} = '{}' ({}", name, excerpt(trimmed(field.text)), why));
 }
 
-/// One record after the other, as rows.
+/// Reads one record after the other as rows.
 class RowReader {
     using enum ReportedColumns::Column;
 

@@ -130,7 +130,8 @@ void expect_kind_of_values(const Gate& gate, const ReportedFile& file, const Rep
                                 file.origin, against->origin));
 }
 
-/// Runs of a single value are trials, and are examined as such: for repeats, correlation, skewness and heavy tails.
+/// Runs with a single value each are trials, and are examined as such: for repeats, correlation, skewness and heavy
+/// tails.
 EstimatesFile as_trials(const Gate& gate, const Bins& bins) {
     EstimateSeries series{.quantity = gate.quantity, .values = {}, .lines = {}};
     for (const ReportedRow& run : bins.rows) {

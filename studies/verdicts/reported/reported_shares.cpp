@@ -16,7 +16,7 @@ double estimate(const stats::Proportion& counts) {
     return static_cast<double>(counts.hits) / static_cast<double>(counts.trials);
 }
 
-/// The variance of a share, by a probability that is neither 0 nor 1, with which scores can be computed.
+/// The variance of a share, from a probability that is neither 0 nor 1, so that scores can be computed.
 double approximate_variance(const stats::Proportion& counts) {
     const auto n = static_cast<double>(counts.trials);
     const double p = (static_cast<double>(counts.hits) + 0.5) / (n + 1);
