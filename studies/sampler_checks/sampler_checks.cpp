@@ -79,7 +79,7 @@ struct Tested {
     std::string name;
     double p = 1;
     double detectable = 0;
-    double worst = 0;  ///< that must not be missed
+    double worst = 0;  ///< effect that must not be missed
     std::string what;
     std::string sharper = "take more trials";  ///< how to detect less
 };

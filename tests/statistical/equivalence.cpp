@@ -41,7 +41,7 @@ std::vector<std::string_view> samplers_of_rays() {
     return names;
 }
 
-/// What is shown of a sampler.
+/// The result that is shown for a sampler.
 struct Aim {
     int samples_per_patch;
     double delta;

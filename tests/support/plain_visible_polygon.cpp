@@ -69,8 +69,8 @@ double factor_of(const SmallPolygon& polygon, const Vector3d& normal) {
     return sum / (2 * std::numbers::pi);
 }
 
-/// What touches a plane may lie a little behind it by rounding. Cut off there, it would get an edge between two corners
-/// that are one, which runs any way.
+/// A polygon that touches a plane may lie a little behind it by rounding. Cut off there, it would get an edge between
+/// two corners that are one, which runs any way.
 void cut_at_plane(SmallPolygon& polygon, const Vector3d& normal) {
     constexpr double rounding = 1e-13;
     double farthest = 0;
@@ -166,7 +166,7 @@ PlainVisiblePolygon::Factors PlainVisiblePolygon::from(const Vector3d& place, co
     const SmallPolygon cone = sides_of(whole);
     boost::container::small_vector<SmallPolygon, 4> shadows;
     for (const std::uint32_t index : blockers) {
-        // What of it is below the horizon hides nothing either, so that it need not be cut off.
+        // Its part below the horizon hides nothing either, so that it need not be cut off.
         const SmallPolygon blocker = seen_from(place, blockers_[index]);
         if (is_outside(blocker, cone)) continue;
         SmallPolygon sides = sides_of(blocker);

@@ -48,7 +48,7 @@ summary in Markdown; exit code 1 where a claim does not hold.
   --out DIR        folder for gates.md, form_factors.md, heat.md or facets.md, the tables of all rates (default: none is written)
 )";
 
-/// What follows the first argument: options, each with a value. Those that are read are forgotten.
+/// The arguments after the first one: options, each with a value. Options that have been read are removed.
 class Options {
   public:
     /// @throws UserError where the last one has no value

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <random>
 
-// What a Monte Carlo code prints: means of bins with their errors.
+// The output of a Monte Carlo code: means of bins with their errors.
 int main(int count, char** arguments) {
     if (count < 2 || ff::gate::normal_critical(0.5) != 0) return 1;
     std::mt19937_64 engine(1);

@@ -171,7 +171,7 @@ TEST(RadiosityPictures, ShowTheLightOnThePatchesAndWhereItErrs) {
         const auto values = nlohmann::json::parse(picture.values);
         EXPECT_FALSE(picture.finding.empty()) << picture.kind;
         if (!values.contains("choose")) continue;
-        // What can be chosen is what there is.
+        // Exactly the existing choices are offered.
         const auto& columns = values.at("columns");
         const auto column = std::find(columns.begin(), columns.end(), values.at("choose").at("signal"));
         ASSERT_NE(column, columns.end()) << picture.kind;

@@ -51,7 +51,7 @@ bool interval_holds(const FaceExchange& exchange, double exact, double shrink, d
            exact <= exchange.value + shrink * (exchange.high - exchange.value) + room;
 }
 
-/// What one seed showed, of each known pair.
+/// The result of one seed for each known pair.
 struct Outcome {
     std::vector<bool> held;
     bool matrix_held = true;
@@ -144,7 +144,7 @@ stats::Proportion held_in(const AdversarialScene& drawn, const Request& request,
     return held;
 }
 
-/// What is asked of a scene: a budget ends most of it.
+/// The request for a scene: most of it ends by its budget.
 Request draw_request(Trap trap, const FormFactorCoverageOptions& options, stats::Draws& draws) {
     Request request;
     // Pilots by rays take longest: most tolerances are below what rays can meet. Spheres and many faces need them.

@@ -45,7 +45,7 @@ void add(stats::Proportion& share, bool hit) {
     share.hits += hit ? 1 : 0;
 }
 
-/// What entries of one kind show, in a scene or in all.
+/// The results for entries of one kind, in one scene or in all.
 struct FacetTally {
     stats::Proportion inside, beyond;          ///< shares of all entries
     stats::Proportion one_inside, one_beyond;  ///< shares of one entry of each pair
@@ -77,7 +77,7 @@ struct OutsideEntry {
     std::string text;
 };
 
-/// What one kind showed.
+/// The results of one kind.
 struct KindTally {
     FacetTally all;
     std::map<std::string, FacetTally> by_scene;
@@ -160,7 +160,7 @@ FacetCoverage measure_facet_coverage(const FacetCoverageOptions& options) {
         const FacetEntries found = facet_entries(scene, options);
         coverage.references += found.references.size();
         coverage.wide_references += found.wide_references;
-        // What lies outside by the first reference is looked at beside one of its own.
+        // An entry that lies outside by the first reference is compared with a reference of its own.
         std::vector<std::size_t> doubtful;
         for (const FacetEntry& entry : found.entries) {
             if (compare(entry, found.references[entry.reference]).outside) doubtful.push_back(entry.reference);

@@ -97,7 +97,7 @@ class FacetLook {
         for (const ChosenPair& pair : known_) add(matrix, pair, 0, true, known_entries_);
     }
 
-    /// What no seed changes.
+    /// The data that do not depend on the seed.
     [[nodiscard]] const std::vector<FacetEntry>& known() const { return known_entries_; }
 
     [[nodiscard]] std::vector<FacetEntry> at(std::uint64_t seed) const {

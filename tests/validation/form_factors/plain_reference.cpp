@@ -72,7 +72,7 @@ PlainReference plain_reference(const Scene& scene, std::size_t from, std::size_t
     block->dimension = 2;
     std::vector<double> sums(effort.randomisations, 0.0);
     std::vector<double> means(effort.randomisations);
-    // So many at first that little of what is seen is missed by all of them.
+    // Enough points at first that all of them together miss little of what is seen.
     constexpr std::uint64_t fewest = 256;
     std::uint64_t done = 0;
     PlainReference result;

@@ -46,7 +46,7 @@ struct Laboratory {
     }
 };
 
-/// What the control would be if it were not broken.
+/// The control if it were not broken.
 Method mend(Method method) {
     if (const auto& info = samplers::find(method.sampler).info; info.control) method.sampler = info.unbroken_name;
     if (method.tracer == TracerChoice::leaky) method.tracer = TracerChoice::automatic;

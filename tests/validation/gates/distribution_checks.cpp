@@ -24,7 +24,7 @@ Shares even_shares() {
     return shares;
 }
 
-/// The same with one cell in which a few of a thousand fall.
+/// The same with one cell that contains a few of a thousand events.
 Shares shares_with_a_rare_cell() {
     Shares shares = even_shares();
     constexpr double rare = 0.005;

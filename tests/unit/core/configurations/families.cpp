@@ -35,7 +35,7 @@ double corner_factor(double x, double y, double gap) {
     return sign * static_cast<double>(element_to_rectangle_factor(std::abs(x), std::abs(y), gap));
 }
 
-/// What a point at x (in one coordinate) sees of `to` through `hole`.
+/// The part of `to` that a point at x (in one coordinate) sees through `hole`.
 AxisInterval seen(double x, const AxisInterval& to, const AxisInterval& hole, double fraction) {
     const auto project = [&](long double edge) { return x + (edge - x) / fraction; };
     return {std::max(to.low, project(hole.low)), std::min(to.high, project(hole.high))};
@@ -51,7 +51,8 @@ std::vector<double> breaks(const AxisInterval& from, const AxisInterval& to, con
             if (place > from.low && place < from.high) places.push_back(place);
         }
     }
-    // Where an edge that is seen runs through the foot of the normal nothing breaks: the factor is smooth there.
+    // Where an edge that is seen passes through the foot of the normal, nothing special happens: the factor is smooth
+    // there.
     std::sort(places.begin(), places.end());
     return places;
 }

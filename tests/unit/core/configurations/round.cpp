@@ -157,7 +157,8 @@ TEST(Cylinder, ClosesWithItsBases) {
     for (const auto& [r, h] : {std::array<Real, 2>{1, 2}, {1, 0.01L}, {1, 100}, {3, 1}}) {
         const Real base_to_base = coaxial_discs_factor(r, r, h);
         EXPECT_PRED3(test::near, cylinder_base_to_wall_factor(r, h), 1 - base_to_base, extended_rounding);
-        // What the wall sends to a base follows by reciprocity; two bases and the wall itself get all of it.
+        // The factor from the wall to a base follows by reciprocity; the two bases and the wall itself receive
+        // everything.
         const Real wall_to_base = (1 - base_to_base) * r / (2 * h);
         EXPECT_PRED3(test::near, cylinder_wall_to_itself_factor(r, h), 1 - 2 * wall_to_base, 100 * extended_rounding);
     }

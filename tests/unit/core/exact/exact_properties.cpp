@@ -1,4 +1,4 @@
-// What form factors satisfy in every scene, over random boxes and random pairs of rectangles.
+// Properties of form factors in every scene, over random boxes and random pairs of rectangles.
 
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"
@@ -18,7 +18,7 @@ using test::any_box;
 using test::any_rectangle;
 using test::same_exchange_area;
 
-/// What may be wrong with a form factor, or a row of them, of `source` in a box: the promised 1e-18 of the squared
+/// Permitted error of a form factor, or of a row of them, of `source` in a box: the promised 1e-18 of the squared
 /// extent for each of five exchange areas, and a few roundings to double. Only long and thin boxes come near the first
 /// term.
 double factor_tolerance(const Scene& box, double source_area) {

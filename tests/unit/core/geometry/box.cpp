@@ -20,7 +20,7 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// What a user reads when a call fails.
+/// The message that a user reads when a call fails.
 template <class Call>
 std::string message_of(const Call& call) {
     try {

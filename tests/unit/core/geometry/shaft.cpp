@@ -17,7 +17,7 @@ ConvexPolygon rectangle(const Vector3d& corner, const Vector3d& u, const Vector3
     return {corner, corner + u, corner + u + v, corner + v};
 }
 
-/// What both tests prove.
+/// The result that both tests prove.
 Crossing crossing(Shaft shaft, const ConvexPolygon& polygon) {
     const Plate plate(polygon);
     const Crossing crossing = shaft.crossed_by(plate);

@@ -1,4 +1,4 @@
-// What single precision does not resolve is traced in double precision.
+// Scenes that single precision does not resolve are traced in double precision.
 
 #include "core/geometry/box.hpp"
 #include "core/geometry/placement.hpp"

@@ -112,7 +112,7 @@ TEST(OpenScene, LosesRaysThatAreAimedAtARim) {
                             [](const Hit& hit) { return hit.surface == no_surface; }));
 }
 
-/// What a ray meets first, in double precision, looking at every surface.
+/// The first surface that a ray meets, in double precision, testing every surface.
 Hit brute_force(const Scene& scene, const RayBatch& rays, std::size_t i) {
     const Line line{{rays.origin_x[i], rays.origin_y[i], rays.origin_z[i]},
                     {rays.direction_x[i], rays.direction_y[i], rays.direction_z[i]}};

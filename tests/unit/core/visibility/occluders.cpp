@@ -114,7 +114,7 @@ Scene random_scene(std::mt19937& engine, std::size_t surfaces = 24) {
     return scene;
 }
 
-/// What lines between two surfaces show.
+/// The result of lines between two surfaces.
 struct Seen {
     std::size_t lines = 0;
     std::size_t hidden = 0;
@@ -122,7 +122,7 @@ struct Seen {
     std::size_t seen_of_hidden = 0;  ///< lines with nothing in between where all were said to be hidden
 };
 
-/// What visits find about pairs, the smaller index first; those of which all is hidden are missing.
+/// The pairs that visits find, the smaller index first; pairs that are wholly hidden from each other are missing.
 std::map<std::pair<std::uint32_t, std::uint32_t>, Occluders::Between> visited(const Occluders& occluders) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, Occluders::Between> found;
     for (const Occluders::Visit& visit : occluders.visits(64)) {

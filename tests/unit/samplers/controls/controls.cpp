@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <memory>
 
-// What each control is caught by is shown by tests/contract/broken_samplers.cpp; here, that they are what they say.
+// tests/contract/broken_samplers.cpp shows which checks catch each control; here it is tested that they are what they
+// claim to be.
 
 namespace ff::samplers {
 namespace {

@@ -35,7 +35,7 @@ TEST(Measured, ReachesDownInProportionForMeansNear0) {
     EXPECT_NEAR(logarithm_of(known_mean(5)).reach(-1, 0.025), 2 * 2.5 * t, 1e-12);
 }
 
-// What no evaluation has met makes a mean square larger, never smaller.
+// Values that no evaluation has met can only increase a mean square.
 TEST(Measured, ReachesHigherWhereEvaluationsMayHaveMissedSomething) {
     MeanEvidence mean = known_mean();
     mean.unmet = {.largest = 1, .evaluations = 100};

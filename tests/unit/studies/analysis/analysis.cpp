@@ -171,7 +171,7 @@ TEST(InfiniteVariance, IsRemovedByTheGradedMap) {
 }
 
 TEST(Bias, IsFoundWhereAllTrialsGiveOneWrongValue) {
-    // What equal seeds in every trial do: no spread, so no test, yet nothing to be content with.
+    // The effect of equal seeds in every trial: no spread, so no test, but not a good result either.
     const StudyPlan plan = plan_of(study_text("trials = 16", many_rays()));
     const auto exact = exact_form_factors(plan.scenes.front()).value();
     const auto found = [&](double shift) {
@@ -313,7 +313,7 @@ TEST(Analysis, UsesTheAvailableExactFactors) {
     const Store store = test::run(
         plan_of("[study]\nname = \"t\"\nscene = \"l_shaped_room\"\ntrials = 40\nseed = 1\n" + std::string(few_rays)));
     const CellAnalysis found = analyse_cell(store, 0);
-    // By the formula of the catalogue, by closed form, and past the corner by none.
+    // Exact values by the formula of the catalogue, by closed form, and none past the corner.
     EXPECT_NEAR(found.summary({pair, 1, 2}).reference.value(), 0.032890247563088, 1e-14);
     EXPECT_NEAR(found.summary({pair, 1, 4}).reference.value(), 0.027473405707512, 1e-14);  // ffstudy explain
     EXPECT_FALSE(found.summary({pair, 2, 6}).reference);

@@ -82,7 +82,8 @@ TEST(PairSpreads, DetectADoubledStandardDeviation) {
     EXPECT_TRUE(test::has_probability_at_least(told_apart(normal, normal, 100, 100, 2), 100, 0.6, {.detects = 0.4}));
 }
 
-// What is said to be found is found in most comparisons. Risks: 1e-6; a rate of 40 % is noticed with power .99.
+// A ratio that is said to be detectable is found in most comparisons. Risks: 1e-6; a rate of 40 % is noticed with power
+// .99.
 TEST(PairSpreads, DetectWhatTheyClaimToDetect) {
     constexpr double level = 1 - 0.05 / (2 * pairs_of_cube);
     std::mt19937_64 engine(1);

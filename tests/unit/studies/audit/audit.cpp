@@ -29,7 +29,7 @@ const Finding* find(const Report& report, const std::string& id) {
     return found == report.findings.end() ? nullptr : &*found;
 }
 
-/// What the finding `id` wants its first figure to be.
+/// The correction of the first figure in the finding `id`.
 std::string meant(const std::string& id) {
     const Finding* finding = find(paper().report, id);
     return finding == nullptr || finding->corrections.empty() ? "not found" : finding->corrections.front().meant;

@@ -66,7 +66,7 @@ TableComparison compared(const PublishedTables& tables) {
     return list.at(0);
 }
 
-/// What a single run printed: trial 0 of the store itself.
+/// The print of a single run: trial 0 of the store itself.
 PublishedTables an_honest_run() {
     const CellEstimates estimates = load_estimates(store(), 0);
     const auto first = [&](Quantity q) { return fmt::format("{:.6f}", estimates.values(q)[0]); };

@@ -23,8 +23,8 @@ StudyPlan plan_of_rays(std::string_view sampler, std::string_view completion = "
                                                           sampler, samples, completion)));
 }
 
-/// What a chi-squared test of 30 pairs at 1e-6 (Holm) notices with 400 trials: a standard deviation that is wrong by a
-/// factor of about 1 + (5.5 + 2) / sqrt(2 * 400) = 1.27, power 0.98.
+/// The effect that a chi-squared test of 30 pairs at 1e-6 (Holm) notices with 400 trials: a standard deviation that is
+/// wrong by a factor of about 1 + (5.5 + 2) / sqrt(2 * 400) = 1.27, power 0.98.
 constexpr double alarm_level = 1e-6;
 
 std::optional<VarianceCheck> only_check(const Analysis& findings) {

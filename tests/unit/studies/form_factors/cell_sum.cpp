@@ -55,7 +55,7 @@ double smaller_area(const Scene& scene) {
     return std::min(area(scene.surfaces[0].shape), area(scene.surfaces[1].shape));
 }
 
-/// What is hidden of the exchange by the plain way: at random places in a grid on the smaller surface, what is seen
+/// The hidden part of the exchange by the plain way: at random places in a grid on the smaller surface, what is seen
 /// past all blockers. Its errors are those of one place in each of `side`^2 parts.
 double hidden_exchange(const Scene& scene, const Pair& pair, int side, stats::Draws& draws) {
     std::size_t from = 0;
@@ -268,7 +268,7 @@ TEST(CellSum, HoldsTheExchangeOfABallAsOftenAsStated) {
     EXPECT_TRUE(test::has_probability_at_least(held, estimates, cells_level, cells_risk));
 }
 
-/// What is seen from random places in a grid on the first surface, which is round.
+/// The part that is seen from random places in a grid on the first surface, which is round.
 double seen_exchange(const Scene& scene, const Pair& pair, int side, stats::Draws& draws) {
     const VisiblePolygon target(scene.surfaces[1], pair.exchange().blockers);
     const SurfaceMap map(scene.surfaces[0]);

@@ -41,7 +41,7 @@ class HoleyTracer final : public Tracer {
 
 constexpr std::uint64_t contradiction_runs = 200;
 
-/// What becomes of the estimate for the first two faces, counted over runs with different seeds.
+/// Outcomes of the estimate for the first two faces, counted over runs with different seeds.
 struct Outcome {
     std::uint64_t contradicted = 0;
     std::uint64_t held = 0;  ///< intervals among these that hold the exact value

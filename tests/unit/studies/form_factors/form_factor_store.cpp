@@ -100,7 +100,7 @@ class FormFactorStore : public testing::Test {
     std::string refusal() const {
         return message_of<Error>([&] { load_matrix(file()); });
     }
-    /// What is said of the file when this has been done to it.
+    /// The message about the file after this has been done to it.
     std::string refusal_after(const std::string& sql) const {
         save(kept);
         Database database(file(), Database::Mode::create_or_open);

@@ -32,7 +32,7 @@ TEST(SampledShare, HasStudentsIntervalOfItsRandomisations) {
 }
 
 TEST(SampledShare, AddsUpWithinRandomisations) {
-    // What one share has more, the other has less: their sum is known.
+    // One share is larger by as much as the other is smaller: their sum is known.
     const EstimatedSum sum =
         estimate_of({0, {{1, hits({190, 210, 205, 195}, 1000)}, {1, hits({310, 290, 295, 305}, 1000)}}}, 0.9);
     EXPECT_DOUBLE_EQ(sum.value, 0.5);

@@ -17,7 +17,7 @@
 namespace ff::studies {
 namespace {
 
-/// What docs/library.md shows: the kernel between points on two patches.
+/// The example of docs/library.md: the kernel between points on two patches.
 class Kernel : public Estimator {
   public:
     explicit Kernel(const Scene& scene) : scene_(scene) {}
@@ -39,7 +39,7 @@ class Kernel : public Estimator {
     const Scene& scene_;
 };
 
-/// As a program does that links with the libraries.
+/// Does what a program that links with the libraries does.
 void add_methods() {
     EstimatorInfo kernel;
     kernel.dimension = 4;

@@ -157,8 +157,8 @@ TEST(PatchConsequences, CoverDividedFacesAndTheRequestedTrials) {
     EXPECT_EQ(small_results().find(0, Treatment::direct, Between::patches), nullptr) << "nobody asked";
 }
 
-// What a patch gathers varies over a face: patches change the light of a face by some percent, and ever less as they
-// shrink.
+// The light that a patch gathers varies over a face: patches change the light of a face by some percent, and ever less
+// as they shrink.
 TEST(PatchConsequences, HaveExactSolutionsThatConverge) {
     for (std::size_t setting = 0; setting < 5; ++setting) {
         const Eigen::VectorXd& faces = between_patches().exact_system(0, setting).exitance;

@@ -88,7 +88,7 @@ TEST(Promises, HoldForPointsThatARulePutsOnBoundaries) {
     }
 }
 
-// What is required is exact, so the only risk is a set that keeps a promise by chance.
+// The requirements are exact, so the only risk is a set that keeps a promise by chance.
 TEST(Promises, FailWhereOneSetBreaksThem) {
     const auto sampler = test::sampler_of("latin_but_once", [](std::size_t n, std::size_t d, std::mt19937_64& random) {
         const bool once = random() % 8 == 0;

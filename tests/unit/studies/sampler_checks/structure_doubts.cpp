@@ -19,7 +19,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-/// What is in doubt of structure alone: statistical checks have too few trials here.
+/// Doubts about structure alone: statistical checks have too few trials here.
 std::vector<std::string> doubts_of(const samplers::CatalogueEntry& sampler, std::uint64_t points, std::size_t dimension,
                                    std::uint64_t seed = 1, std::uint64_t trials = 1000) {
     const auto checks =

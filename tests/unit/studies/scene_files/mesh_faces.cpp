@@ -1,4 +1,5 @@
-// What is a face where a mesh of gmsh or VTK has several ways to group its cells, and what is said about it.
+// Which groups become faces where a mesh of gmsh or VTK has several ways to group its cells, and which notes report
+// that.
 #include "studies/scene_files/meshes/formats.hpp"
 #include "studies/scene_files/scene_file.hpp"
 

@@ -26,7 +26,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-/// By its content. @throws UserError where the project cannot read it
+/// Reads a mesh by its content. @throws UserError where the project cannot read it
 std::string as_obj(const std::string& name, std::string_view bytes) {
     const MeshKind* const kind = mesh_kind(bytes);
     if (kind == nullptr || kind->read == nullptr) throw UserError("no such mesh");
@@ -37,7 +37,7 @@ Scene read_mesh(const std::string& name, std::string_view bytes) {
     return make_scene(source_of_file(name, as_obj(name, bytes)));
 }
 
-/// What is wrong with it; "" where nothing is.
+/// The fault of the file; "" where it has none.
 std::string fault_of(const std::string& name, std::string_view bytes) {
     try {
         static_cast<void>(read_mesh(name, bytes));
@@ -176,7 +176,7 @@ TEST(BrokenMeshFiles, AreRefusedForWhatIsWrong) {
                     HasSubstr(fault.message));
 }
 
-/// Whatever the bytes are, they are a mesh or a UserError: anything else fails the test, or ends it.
+/// Any bytes have to give a mesh or a UserError: anything else fails the test, or ends it.
 void look_at(const std::string& name, std::string_view bytes) {
     try {
         static_cast<void>(as_obj(name, bytes));

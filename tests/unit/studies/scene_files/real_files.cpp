@@ -149,7 +149,7 @@ std::string two_rooms(bool halved) {
     return text;
 }
 
-// What rises at its rims are the rooms, not the sides of a body that stands on it.
+// The rooms rise at its rims, not the sides of a body that stands on it.
 TEST(RealObjFiles, HaveThinWallsBetweenRooms) {
     for (const bool halved : {false, true}) {
         const Scene scene = read_real("a.obj", two_rooms(halved));

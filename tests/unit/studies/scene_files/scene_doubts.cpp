@@ -1,4 +1,4 @@
-// What is said of scenes that are not what was meant: each kind with its own text.
+// The messages about scenes that are not what the user meant: each kind has its own text.
 
 #include "core/geometry/box.hpp"
 #include "studies/form_factors/form_factors.hpp"

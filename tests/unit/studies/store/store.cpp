@@ -181,7 +181,7 @@ TEST_F(StoreFile, IgnoresTheLogOfAnotherStore) {
 TEST_F(StoreFile, HasNoLogOnceSealed) {
     const std::string log = file().string() + "-wal";
     {
-        // What a copy of the folder, made while the study ran, holds.
+        // The content of a copy of the folder that was made while the study ran.
         Store store = Store::create_or_resume(file(), store_plan("trials = 400"), Journal::write_ahead);
         store.commit({0, {}, {}, {}});
         std::filesystem::copy_file(log, folder.path() / "log");

@@ -28,7 +28,7 @@ class StoreChecksums : public testing::Test {
     test::TemporaryFolder folder;
 };
 
-/// What is read of a store, and what is said where it is refused.
+/// What is read from a store, and the message where it is refused.
 std::vector<std::string> read_or_refused(const std::filesystem::path& file) {
     try {
         const Context context = Store::open(file).context();
