@@ -15,7 +15,7 @@ inline constexpr const char* checks = "Checks";
 inline constexpr const char* built_in = "Built-in studies";
 inline constexpr const char* hidden = "";
 
-/// Adds the options -q and -v. @param quiet_prints what is still printed with -q
+/// Adds the options -q and -v. @param quiet_prints  what is still printed with -q
 void add_verbosity(CommandDefinition& command, bool& quiet, const std::string& quiet_prints = "Print errors only");
 
 /// `ffstudy help COMMAND`

@@ -75,7 +75,7 @@ ConvexPolygon clipped(const ConvexPolygon& polygon, const Eigen::Vector3d& norma
 
 double length_around(const ConvexPolygon& polygon);
 
-/// Whether a polygon is only a sliver that rounding leaves along an edge. @param gap lines nearer than this are one
+/// Whether a polygon is only a sliver that rounding leaves along an edge. @param gap  lines nearer than this are one
 bool is_sliver(const ConvexPolygon& polygon, double gap);
 
 /// The part that a polygon has in common with a convex one, both counter-clockwise around this normal of their plane.

@@ -33,8 +33,8 @@ struct Plate {
 class Shaft {
   public:
     /// @param from, to  corners: of a polygon in order, of other sets in any order; at most 8 each. They outlive this.
-    /// @param grain size of the smallest thing that the proof is about: gaps of 1e-15 of it do not count; 0: the length
-    /// of the shaft
+    /// @param grain  size of the smallest thing that the proof is about: gaps of 1e-15 of it do not count; 0: the
+    /// length of the shaft
     Shaft(std::span<const Eigen::Vector3d> from, std::span<const Eigen::Vector3d> to, double grain = 0);
 
     /// How many of the lines a polygon crosses.

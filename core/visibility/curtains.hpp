@@ -19,7 +19,7 @@ namespace ff {
 /// one line decides for all.
 class Curtains {
   public:
-    /// @param plates of the walls whose edges are given; empty for round ones. Both must outlive this.
+    /// @param plates  of the walls whose edges are given; empty for round ones. Both must outlive this.
     Curtains(const SharedEdges& edges, const std::vector<std::optional<Plate>>& plates);
 
     /// A convex set that lines begin or end in, by its corners; its normal is 0 unless all lines leave or reach it on

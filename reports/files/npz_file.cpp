@@ -32,7 +32,7 @@ void append(std::string& bytes, Number number) {
 /// same bytes.
 class NpzFile {
   public:
-    /// @param bytes of all arrays together @param content what the arrays are, in words
+    /// @param bytes  of all arrays together @param content  what the arrays are, in words
     /// @throws UserError for more than a zip archive holds, 4 GiB
     NpzFile(std::ostream& out, std::size_t bytes, std::string_view content) : out_(out) {
         constexpr std::size_t of_headers = 4096;

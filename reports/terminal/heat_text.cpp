@@ -18,7 +18,7 @@ namespace {
 
 using studies::heat::Bounds;
 
-/// @param is_rounding the value is 0 up to rounding
+/// @param is_rounding  the value is 0 up to rounding
 std::string with_error(const Bounds& bounds, bool is_rounding = false) {
     if (bounds.half_width() <= 1e-9 * std::abs(bounds.middle())) return brief(bounds.middle(), 6);
     constexpr double unseen = 0.01;

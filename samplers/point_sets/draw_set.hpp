@@ -19,7 +19,7 @@ struct DrawnSet {
 /// Draws it from a stream of its own. @throws UserError where the sampler has no such set, or its points have weights
 PointSet draw_set(const CatalogueEntry& sampler, const DrawnSet& wanted);
 
-/// All coordinates of a set, as in PointSet. @param part points to request at a time, at most block_capacity
+/// All coordinates of a set, as in PointSet. @param part  points to request at a time, at most block_capacity
 std::vector<std::uint32_t> coordinates_of_set(const PointSource& source, std::size_t dimension, const Stream& stream,
                                               std::size_t part = block_capacity);
 

@@ -109,7 +109,7 @@ struct UnseenValue {
     double value = 0;
     double one_in = 0;  ///< it occurs once in so many trials, at most
 };
-/// @param mean, reference of the trials, which have missed the value, and the true mean
+/// @param mean, reference  of the trials, which have missed the value, and the true mean
 UnseenValue unseen_value(double mean, double reference, std::size_t n, double tail);
 
 }  // namespace ff::stats

@@ -35,7 +35,7 @@ Scene with_added_faces(Scene scene, const std::string& surroundings) {
 
 namespace {
 
-/// Inserts exchanges with new faces, each after the others of its row. @param added in order
+/// Inserts exchanges with new faces, each after the others of its row. @param added  in order
 void insert(Matrix& matrix, const std::vector<FaceExchange>& added) {
     std::vector<FaceExchange> exchanges;
     exchanges.reserve(matrix.exchanges.size() + added.size());

@@ -23,7 +23,7 @@ struct Seen {
 };
 
 /// Looks at each pair of surfaces that belong to faces. @return what was found, part by part
-/// @param known provides areas and occluders
+/// @param known  provides areas and occluders
 /// @throws InterruptedError where the request is stopped and there are more pairs than can be kept as unknown
 std::vector<Seen> look_at_pairs(const Scene& scene, const FacePairs& known, const Request& request);
 

@@ -61,7 +61,7 @@ class MatrixBuilder {
     /// @param p  place in FacePairs::pairs
     void take(std::size_t p, const PairEstimate& estimate);
 
-    /// To be called after the last estimate. @param farthest largest coordinate of the scene
+    /// To be called after the last estimate. @param farthest  largest coordinate of the scene
     void end(double farthest);
 
   private:

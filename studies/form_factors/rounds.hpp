@@ -31,7 +31,8 @@ double round_level(double alpha, std::size_t round);
 /// budget ends.
 class Rounds {
   public:
-    /// All arguments are kept by reference. @param alpha 1 - level of a pair's interval @param rows all rows that exist
+    /// All arguments are kept by reference. @param alpha  1 - level of a pair's interval @param rows  all rows that
+    /// exist
     Rounds(const Scene& scene, const FacePairs& geometry, const Request& request, double alpha,
            const PairsOfRows& rows);
 

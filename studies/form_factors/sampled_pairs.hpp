@@ -36,7 +36,7 @@ class SampledPairs {
 
     void add(std::uint32_t face, std::uint32_t other_face, std::uint32_t from, std::uint32_t to,
              const PairExchange& exchange);
-    /// @param pair from another list with the same occluders
+    /// @param pair  from another list with the same occluders
     void add(const SampledPair& pair, const SampledPairs& others);
     void reserve(std::size_t pairs, std::size_t blockers);
     /// By faces, then by surfaces.

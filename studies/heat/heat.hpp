@@ -22,7 +22,7 @@ struct FlowTolerance {
     double amount = 1e-3;
     bool is_power = false;  ///< in W; otherwise a share of what the sources give off
 
-    /// The tolerance in W. @param throughput what the sources give off
+    /// The tolerance in W. @param throughput  what the sources give off
     [[nodiscard]] double power(double throughput) const { return is_power ? amount : amount * throughput; }
 };
 

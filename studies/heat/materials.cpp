@@ -47,7 +47,7 @@ void expect(bool fine, const TomlReader& reader, std::string_view key, std::stri
     if (!fine) reader.fail(key, problem);
 }
 
-/// @param may_be_said emissivities may be given in the scene file
+/// @param may_be_said  emissivities may be given in the scene file
 Material read_material(const TomlReader& reader, bool may_be_said) {
     reader.expect_only({"emissivity", "temperature", "flux", "reflectance", "emission"});
     Material material{reader.optional_number("emissivity"), reader.optional_number("temperature"),

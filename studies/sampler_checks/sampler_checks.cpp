@@ -135,7 +135,7 @@ Tested independent_trials(std::string name, const std::vector<double>& means, st
             serial ? stats::minimum_detectable_bias(1, means.size(), half) : 1.0, worst_correlation, "correlated by"};
 }
 
-/// @param not_asked receives the checks that have no data
+/// @param not_asked  receives the checks that have no data
 std::vector<Tested> test_all(const DrawnTrials& drawn, std::size_t dimension, stats::Risks risks,
                              std::vector<std::string>& not_asked) {
     std::vector<Tested> tests;

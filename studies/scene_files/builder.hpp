@@ -52,7 +52,7 @@ class SceneBuilder {
 
     /// Reverses surfaces that face the other way than the rest of their face, leaves out duplicates, and cuts out the
     /// parts of surfaces that bodies stand on. Faces of which nothing remains are left out.
-    /// @param materials of the faces; those of faces that are left out are removed. Null: none
+    /// @param materials  of the faces; those of faces that are left out are removed. Null: none
     /// @throws UserError where there is no surface, no face, a face without surfaces, or a surface of two faces
     Scene finish(bool closed, std::vector<FaceMaterial>* materials = nullptr);
 

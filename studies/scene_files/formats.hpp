@@ -32,7 +32,7 @@ inline constexpr auto names_of<Facing> = name_table(Named{Facing::outward, "outw
 /// Groups of this name are occluders rather than faces.
 inline constexpr std::string_view occluder_group = "occluder";
 
-/// Whether a file name ends with this extension, in upper or lower case. @param extension in lower case
+/// Whether a file name ends with this extension, in upper or lower case. @param extension  in lower case
 bool has_extension(std::string_view name, std::string_view extension);
 
 /// Whether a file name is that of a mesh: .stl, .ply, .off, .gltf, .glb, .vtk, .vtu, .vtp or .msh.

@@ -56,7 +56,7 @@ inline constexpr double most_off_base = 2e-3;
 /// Moves a part into the plane of its base, and cuts off what reaches beyond it, as far as that counts as rounding. A
 /// part is convex, lies within its base, and faces the same way as the base where it radiates, the other way where it
 /// faces the base.
-/// @param most_off largest displacement that counts as rounding, in units of length
+/// @param most_off  largest displacement that counts as rounding, in units of length
 FitOnBase fit_on_base(Vs3Surface& part, const Vs3Surface& base, double most_off);
 
 /// The largest distance between corners.

@@ -17,7 +17,7 @@ namespace ff::studies::gates {
     throw UserError(fmt::format("{}: {}", gate.place, problem));
 }
 
-/// @param unit what more would be needed of
+/// @param unit  what more would be needed of
 [[noreturn]] inline void refuse_undecidable(const Gate& gate, std::string_view unit) {
     refuse_gate(
         gate,

@@ -35,7 +35,7 @@ std::optional<Measurement> measure_mean(std::span<const double> values, const Me
 Measurement measure_spread(const stats::MeanSquare& spread, double reference, const Band& band, const Levels& levels);
 
 /// Half the logarithm of the mean square about a centre, by the rule for means; empty where there is none.
-/// @param unmet_squares the part of it that evaluations behind the values may all have missed
+/// @param unmet_squares  the part of it that evaluations behind the values may all have missed
 std::optional<stats::Measured> logarithm_of_spread(std::span<const double> values, double centre,
                                                    const stats::Unmet& unmet_squares = {});
 

@@ -3,7 +3,7 @@
 #include "tests/contract/assertions.hpp"
 #include "tests/contract/checks.hpp"
 
-// Every check catches what it is for.
+// Every check catches the fault that it is meant for.
 
 namespace ff::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-// The contract over the whole catalogue. No sampler is named here: a new one is tested by being listed.
+// The contract over the whole catalogue. No sampler is named here: a new one is tested as soon as it is listed.
 
 namespace ff::samplers {
 

@@ -35,7 +35,7 @@ std::uint64_t samples(const EstimatorInfo& info) {
     return 0;
 }
 
-/// How fine an estimator is that makes its own points.
+/// The size of an estimator that makes its own points.
 struct Fineness {
     std::uint64_t points;  ///< at least, where they do not serve a pair of patches
     std::uint32_t grid;    ///< patches along an edge of a face, there
@@ -92,7 +92,7 @@ double standard_error(const std::vector<double>& values) {
     return std::sqrt(*moments.variance() / static_cast<double>(values.size()));
 }
 
-/// A scene of the catalogue that an estimator can do.
+/// A scene of the catalogue that an estimator can handle.
 Scene scene_for(const EstimatorEntry& estimator) {
     for (const std::string_view name : configuration_scene_names()) {
         Scene scene = *configuration_scene(name);
@@ -163,7 +163,7 @@ AssertionResult is_unbiased(const EstimatorEntry& estimator, const Configuration
         if (error <= (estimator.info.own_points ? noticed_bias(exact) : 1e-12)) return AssertionSuccess();
         return AssertionFailure() << "off by " << error;
     }
-    // As many trials as their spread asks for: ten standard errors are noticed at 1e-8 with power 0.99.
+    // As many trials as their spread requires: ten standard errors are noticed at 1e-8 with power 0.99.
     std::vector<double> estimates;
     const double noticed = noticed_bias(exact);
     for (std::size_t wanted = fewest_trials; wanted <= most_trials; wanted *= 2) {

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <vector>
 
-// The contract over the whole catalogue of estimators. None is named but those broken on purpose: a new one is tested
-// by being listed.
+// The contract over the whole catalogue of estimators. None is named except those broken on purpose: a new one is
+// tested as soon as it is listed.
 
 namespace ff {
 

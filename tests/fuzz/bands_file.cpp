@@ -1,4 +1,4 @@
-// A bands file is gates that can be planned and, where that takes no time, judged to their end; or a UserError.
+// A bands file gives gates that can be planned and, where that takes no time, judged to the end; or a UserError.
 
 #include "studies/verdicts/bands_file.hpp"
 #include "core/support/error.hpp"

@@ -1,4 +1,4 @@
-// A baseline is compared with to the end, every verdict's numbers being numbers, or it is a UserError.
+// A baseline can be compared with to the end, with verdicts whose numbers are numbers, or it is a UserError.
 
 #include "studies/gates/baseline.hpp"
 #include "core/support/error.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 using namespace ff::studies;
 
-/// What the seeds were saved by.
+/// The bands file with which the seeds were saved.
 constexpr std::string_view bands = R"([gates]
 looks = 1
 max_trials = 40

@@ -1,4 +1,4 @@
-// A damaged store of a matrix is refused with a UserError or an IoError, or gives reports in which every number is one.
+// A damaged store of a matrix is refused with a UserError or an IoError, or gives reports without NaN and infinity.
 //
 // The input is a list of changes to a small sound store (damaged_file.hpp); values are those of a column of pairs or
 // faces.
@@ -49,7 +49,7 @@ void save_cube(const std::filesystem::path& path) {
     kept.matrix = form_factors::find_matrix(kept.scene, kept.request);
     kept.warnings = {"first"};
     form_factors::save_matrix(path, kept);
-    // With a checksum nothing that is changed would come any further.
+    // With a checksum, no changed file would get any further.
     Database(path, Database::Mode::create_or_open).execute(ff::test::form_factors_as_version_1);
 }
 

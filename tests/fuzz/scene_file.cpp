@@ -1,5 +1,5 @@
 // A scene file is a scene whose areas are numbers and that can be traced, or a UserError. The first byte says which
-// format it is; of meshes the content says which.
+// format it is; for meshes the content does.
 
 #include "studies/scene_files/scene_file.hpp"
 #include "core/support/error.hpp"

@@ -1,4 +1,4 @@
-// A damaged store is refused with a UserError or an IoError, or gives reports in which every number is one.
+// A damaged store is refused with a UserError or an IoError, or gives reports without NaN and infinity.
 //
 // The input is a list of changes to a small sound store (damaged_file.hpp); values are those of observations.
 
@@ -60,7 +60,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
             run_study(store, {});
             store.seal();
         }
-        // With checksums nothing that is changed would come any further.
+        // With checksums, no changed file would get any further.
         Database(path, Database::Mode::create_or_open).execute(ff::test::store_as_version_1);
     });
     try {

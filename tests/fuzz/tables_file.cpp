@@ -12,7 +12,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     try {
         const auto tables =
             ff::studies::parse_published_tables({reinterpret_cast<const char*>(data), size}, "tables.json");
-        // The audit is for people's tables: its time grows faster than their size.
+        // The audit is made for tables of human size: its time grows faster than the size of tables.
         if (tables.figures.size() <= 40) ff::studies::audit::examine(tables);
     } catch (const ff::UserError&) {
     }

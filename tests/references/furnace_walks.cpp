@@ -1,4 +1,4 @@
-// furnace_walks WALKS SEED: what tests/validation/heat/known_flows.cpp has of the furnace.
+// furnace_walks WALKS SEED: the counts of the furnace in tests/validation/heat/known_flows.cpp.
 
 #include "tests/references/furnace_walks.hpp"
 

@@ -70,7 +70,7 @@ double factor_of(const SmallPolygon& polygon, const Vector3d& normal) {
 }
 
 /// A polygon that touches a plane may lie a little behind it by rounding. Cut off there, it would get an edge between
-/// two corners that are one, which runs any way.
+/// two coinciding corners, whose direction is arbitrary.
 void cut_at_plane(SmallPolygon& polygon, const Vector3d& normal) {
     constexpr double rounding = 1e-13;
     double farthest = 0;

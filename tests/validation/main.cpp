@@ -1,4 +1,5 @@
-// ffstudy-validate: how often the verdicts, intervals and limits of ffstudy err. docs/validation.md has what it prints.
+// ffstudy-validate: how often the verdicts, intervals and limits of ffstudy err. docs/validation.md shows what it
+// prints.
 
 #include "core/support/error.hpp"
 #include "reports/files/output_file.hpp"
@@ -64,7 +65,7 @@ class Options {
         return given.empty() ? "" : given.mapped();
     }
 
-    /// Leaves a number as it is where none was given.
+    /// Leaves a number unchanged where none was given.
     /// @throws UserError for a text that is not a number from `least` to `most`
     template <class Number>
     void read(const std::string& option, Number& number, Number least, Number most) {
@@ -87,7 +88,7 @@ class Options {
     std::map<std::string, std::string> values_;
 };
 
-/// Reads the options that all take, and expects that no other is left.
+/// Reads the options that all commands have, and expects that no other is left.
 template <class WhatOptions>
 void read_last(Options& given, WhatOptions& options) {
     options.threads = std::max(1u, std::thread::hardware_concurrency());
@@ -129,7 +130,7 @@ form_factors::FacetCoverageOptions facet_options(Options given) {
 }
 
 /// Prints the summary of what was measured, and writes the tables where they are wanted. Returns the exit code.
-/// @param file  empty: they are not
+/// @param file  empty: the tables are not written
 template <class Measured>
 int conclude(const Measured& measured, const std::filesystem::path& file) {
     const Pages pages = markdown(measured);

@@ -104,7 +104,7 @@ std::string_view verdict_text(const MeasuredRate& rate, double level) {
     return "too little to say";
 }
 
-/// The share and its interval, and what they say of the claim.
+/// The share and its interval, and what they say about the claim.
 std::string claim_cells(const MeasuredRate& rate, double level) {
     const stats::Interval interval = interval_of(rate, level);
     return fmt::format("{} | {} … {} | {}", share_text(rate.counts), brief(interval.low, 4), brief(interval.high, 4),

@@ -20,7 +20,7 @@
 namespace ff::studies {
 namespace {
 
-/// An error of mean 0 and variance 1, made of a normal one.
+/// An error with mean 0 and variance 1, made from a normal one.
 using Law = double (*)(double normal);
 
 double normal(double z) {

@@ -237,7 +237,8 @@ TEST(WholeStudies, CallABrokenMethodBiased) {
     EXPECT_GE(called_biased(spec_of(broken), 60, 10), 9u);
 }
 
-// What evaluations may have missed does not excuse what they have met: 60 times 4096 of them, and a bias of 0.02.
+// Values that evaluations may have missed do not excuse those that they have met: 60 times 4096 of them, and a bias of
+// 0.02.
 TEST(WholeStudies, CallABrokenKernelBehindABlockerBiased) {
     const SoundCell sound{"Kernel", "squares_blocked:0.5",
                           "sampler = \"random\"\nestimator = \"area_kernel\"\nsamples_per_patch = 4096"};

@@ -27,7 +27,7 @@ studies::Shard rows_to_sample(const FormFactorsCommand& command, const Processes
 /// those of other processes.
 class RowsInFolder {
   public:
-    /// Sets what the request does with rows. All arguments are kept by reference. @param out null: rows are not kept
+    /// Sets what the request does with rows. All arguments are kept by reference. @param out  null: rows are not kept
     /// @throws UserError where the folder holds rows of another matrix; IoError
     RowsInFolder(OutputFolder* out, studies::form_factors::KeptMatrix& kept, const Processes& processes);
 

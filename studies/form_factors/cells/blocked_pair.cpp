@@ -128,7 +128,7 @@ class Lines {
     }
 
     /// Adds the line in which a plane cuts the source.
-    /// @param happens whether the event that the line stands for is seen somewhere between its two ends
+    /// @param happens  whether the event that the line stands for is seen somewhere between its two ends
     template <class Happens>
     void add(const Vector3d& p, const Vector3d& normal, const Happens& happens) {
         const Vector3d across = normal - normal.dot(pair_.source_normal) * pair_.source_normal;

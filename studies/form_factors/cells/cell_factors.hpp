@@ -130,7 +130,7 @@ class CellFactors {
     [[nodiscard]] std::uint64_t evaluations() const { return evaluations_; }
 
     /// The factors at places in a cell, which are given in its square; they are valid until the next call.
-    /// @param some whether the cell lists the blockers that may hide something; otherwise all may
+    /// @param some  whether the cell lists the blockers that may hide something; otherwise all may
     std::span<const Factors> at(const Cell& cell, std::span<const Eigen::Vector2d> places, bool some);
 
     /// Area that a place in a cell stands for, per area in its square.
@@ -143,7 +143,7 @@ class CellFactors {
     /// @param xy  uniform in the unit square
     [[nodiscard]] RandomPlace random_place(const Cell& cell, const Eigen::Vector2d& xy) const;
 
-    /// Notes what random places may miss in a cell. @param blockers those that may hide something from it
+    /// Notes what random places may miss in a cell. @param blockers  those that may hide something from it
     void bound(Cell& cell, const PartBounds& bounds, std::span<const std::uint32_t> blockers) const;
 
   private:

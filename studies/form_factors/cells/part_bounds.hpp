@@ -57,7 +57,7 @@ class Rims {
 /// than met by chance.
 class PartBounds {
   public:
-    /// Two polygons. @param rim of the pair @param blockers number of all blockers that may stand between
+    /// Two polygons. @param rim  of the pair @param blockers  number of all blockers that may stand between
     PartBounds(const Surface& source, const BlockedPair& pair, const std::vector<RimEdge>& rim, std::size_t blockers);
     /// A round source. @param origin  near it; places are relative to it
     PartBounds(const Surface& source, const Surface& target, const std::vector<Blocker>& blockers,

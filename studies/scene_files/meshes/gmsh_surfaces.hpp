@@ -22,7 +22,7 @@ class GmshSurfaces {
     void set_name(std::int64_t physical, std::string name) { names_.emplace(physical, std::move(name)); }
 
     /// @param number    of the element, for messages
-    /// @param physical tags of its physical surfaces, negative where it is reversed; 0: none
+    /// @param physical  tags of its physical surfaces, negative where it is reversed; 0: none
     /// @param surface   its tag; 0: unknown
     /// @param corners   points of the mesh
     void add(std::int64_t number, const std::vector<std::int64_t>& physical, std::int64_t surface,

@@ -43,7 +43,7 @@ class MeshInput {
   public:
     /// @param name  of the file for messages, which have the line too, or the byte where numbers are binary
     MeshInput(std::string_view name, std::string_view bytes) : name_(name), bytes_(bytes) {}
-    /// A part of a file that is stored in another form. @param name of file and part, which is all that messages state
+    /// A part of a file that is stored in another form. @param name  of file and part, which is all that messages state
     static MeshInput part(std::string_view name, std::string_view bytes, Encoding encoding);
 
     /// From here on, numbers are encoded in this way; lines and words can still be read.
@@ -96,7 +96,7 @@ class MeshInput {
     std::size_t at_ = 0;
 
     void skip_blanks();
-    /// @param problem the problem of a word that is not such a number
+    /// @param problem  the problem of a word that is not such a number
     template <class Number>
     Number number_in_text(std::string_view problem);
     /// The bytes of a binary number, least significant first.

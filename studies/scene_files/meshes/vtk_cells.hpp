@@ -47,7 +47,7 @@ struct VtkArrays {
     std::vector<std::int64_t> hidden;  ///< vtkGhostType of each cell; empty: none is hidden
 
     /// Adds an array, except those that VTK keeps for itself, whose names begin with vtk.
-    /// @param read reads its numbers, where they are needed @return whether they were read
+    /// @param read  reads its numbers, where they are needed @return whether they were read
     bool add(const std::string& name, std::optional<NumberType> type, std::uint64_t components,
              const std::function<std::vector<std::int64_t>()>& read);
 };

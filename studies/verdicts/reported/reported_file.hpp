@@ -73,7 +73,7 @@ double read_magnitude(const CsvReader& reader, const CsvField& field, std::strin
 /// A number of a trial or a run. @param name  of its column
 std::uint64_t read_index(const CsvReader& reader, const CsvField& field, std::string_view name);
 
-/// @throws UserError at `place`: a file has data on other quantities only @param what the kind of data that is missing
+/// @throws UserError at `place`: a file has data on other quantities only @param what  the kind of data that is missing
 [[noreturn]] void fail_without(std::string_view wanted, std::string_view what, std::string_view origin,
                                const std::vector<std::string_view>& names, std::string_view place);
 

@@ -49,7 +49,7 @@ TEST(AgainstScipy, HaltonPointsAreTheSameButForTheDigitPermutations) {
         block.size = 12;
         Halton({.points = 12}).fill({.key = {3, 4}, .trial = trial}, 0, block);
         for (std::size_t d = 0; d < 4; ++d) {
-            // Cells go to cells one to one.
+            // Cells correspond to cells one to one.
             std::map<std::uint64_t, std::uint64_t> there;
             std::map<std::uint64_t, std::uint64_t> back;
             for (std::size_t i = 0; i < block.size; ++i) {

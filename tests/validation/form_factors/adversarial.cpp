@@ -73,7 +73,7 @@ Surface facing(Surface obstacle, const Surface& far) {
     return obstacle;
 }
 
-/// All of one is in front of the other: it has one side to it.
+/// All of one surface is in front of the other.
 bool is_in_front(const Surface& of, const Surface& other) {
     for (const Vector3d& corner : corners(other.shape)) {
         if (!(of.normal.dot(corner - corners(of.shape).front()) > 0)) return false;
@@ -156,7 +156,7 @@ void move(AdversarialScene& drawn, Draws& draws) {
                   16 * std::numeric_limits<double>::epsilon() * (origin.norm() + extent * unit) * rims;
 }
 
-/// Two surfaces and what stands between them; empty where what was drawn is not what the kind wants.
+/// Two surfaces and what stands between them; empty where the drawn scene does not meet the requirements of its kind.
 struct Obstructed {
     Surface near;
     Surface far;
@@ -171,7 +171,7 @@ bool is_fine(const Surface& plate, const Obstructed& drawn) {
            is_in_front(drawn.far, plate);
 }
 
-/// Plates that no line from the far surface meets two of.
+/// Plates such that no line from the far surface meets two of them.
 void draw_plates(Draws& draws, Obstructed& drawn) {
     const std::size_t wanted = 1 + draws.below(3);
     const ConvexPolygon far_corners = corners(drawn.far.shape);
@@ -275,9 +275,9 @@ std::optional<AdversarialScene> draw_obstructed(Trap trap, Draws& draws) {
     return result;
 }
 
-/// A room with a plate near its floor that is a face above and an occluder beneath. Known is what the ceiling exchanges
-/// with all others, and the plate with the walls: the plate is so near to the floor, and so far from the walls, that no
-/// line from the ceiling passes it and meets a wall below.
+/// A room with a plate near its floor that is a face above and an occluder beneath. Known exchanges are those of the
+/// ceiling with all others, and of the plate with the walls: the plate is so near to the floor, and so far from the
+/// walls, that no line from the ceiling passes it and meets a wall below.
 AdversarialScene draw_room(Draws& draws) {
     const Vector3d size(between(draws, 1, 3), between(draws, 1, 3), between(draws, 0.5, 2));
     const Vector3d x(size.x(), 0, 0);

@@ -122,8 +122,8 @@ constexpr std::uint64_t budget_of_samples = 15'000;
 constexpr std::uint64_t budget_with_rays = 200'000;
 constexpr std::uint64_t budget_of_many_entries = 20'000'000;
 
-/// Share of entries that is claimed to be held. Points allow for all that geometry leaves possible; rays, which spheres
-/// need, hold at their level and no more (0.966 where 0.99 had been claimed).
+/// Share of entries whose intervals are claimed to hold. Points allow for all that geometry leaves possible; rays,
+/// which spheres need, hold at their level and no more (0.966 where 0.99 had been claimed).
 double claimed_of(Trap trap, double level) {
     constexpr double by_points = 0.99;
     return trap == Trap::ball ? level : by_points;
@@ -159,14 +159,14 @@ Request draw_request(Trap trap, const FormFactorCoverageOptions& options, stats:
     return request;
 }
 
-/// Scenes of many entries take long.
+/// Scenes with many entries take a long time.
 std::uint64_t scenes_of(Trap trap, std::uint64_t scenes) {
     return trap == Trap::many_faces ? (scenes + 119) / 120 : trap == Trap::room ? (scenes + 3) / 4 : scenes;
 }
 
 /// Entries of a scene share its geometry and its random numbers: one of each is taken where rates are tested. A fault
-/// in a few scenes alone shows where each of some is computed with several seeds: more misses than Binomial(seeds, 1 -
-/// level) has with a probability of 1e-6 are none of chance.
+/// in only a few scenes shows where some of them are computed with several seeds: more misses than Binomial(seeds, 1 -
+/// level) gives with a probability of 1e-6 are not due to chance.
 void add_adversarial(FormFactorCoverage& coverage) {
     const FormFactorCoverageOptions& options = coverage.options;
     const Repetitions repetitions{options.seed, options.threads};

@@ -25,7 +25,7 @@ struct FacetWay {
 
 constexpr std::array facet_ways{FacetWay{1e-4, true, true}, FacetWay{1e-3, true, false}, FacetWay{1e-3, false, false}};
 
-/// A pair that is looked at with every seed.
+/// A pair that is computed with every seed.
 struct ChosenPair {
     PairOfFaces faces;
     std::size_t reference = 0;
@@ -78,7 +78,7 @@ std::map<ExchangeMethod, std::vector<PairOfFaces>> draw_pairs(const Scene& scene
     return pairs;
 }
 
-/// Looks at the chosen pairs of one way, with one seed after the other.
+/// Computes the chosen pairs in one way, with one seed after the other.
 class FacetLook {
   public:
     FacetLook(const Scene& scene, const FacetWay& way, const FacetCoverageOptions& options)
@@ -123,7 +123,7 @@ class FacetLook {
         return place % options_.seeds == seed;
     }
 
-    /// Rays take long: only the rows of pairs whose turn it is are shot.
+    /// Rays take a long time: only rows of pairs whose turn it is are shot.
     [[nodiscard]] std::vector<bool> rows_without_turn(std::uint64_t seed) const {
         std::vector<bool> rows(scene_.faces.size(), true);
         for (const ChosenPair& pair : sampled_) {

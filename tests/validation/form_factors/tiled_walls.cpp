@@ -36,7 +36,7 @@ double factor_from_origin(const Rectangle& seen, double height) {
            (2 * std::numbers::pi);
 }
 
-/// Along one axis: places on a tile, what is opposite, and the plate's shadow there.
+/// Intervals along one axis: places on a tile, what is opposite, and the plate's shadow there.
 struct Axis {
     Range tile, opposite, plate;
     double magnification = 1;  ///< magnification of the shadow

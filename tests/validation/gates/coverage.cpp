@@ -121,12 +121,12 @@ ClassError ten_pairs(const std::vector<double>& errors) {
     return class_error_of(errors, 10, 1, VarianceStatus::finite, nominal_level);
 }
 
-/// One pair, a trial an error.
+/// One pair, with one error per trial.
 ClassError one_pair(const std::vector<double>& errors) {
     return class_error_of(errors, 1, 1, VarianceStatus::finite, nominal_level);
 }
 
-/// Whether the interval of the ratio of two equal numbers has 1 in it.
+/// Whether the interval of the ratio of two equal numbers contains 1.
 bool covers_equality(const stats::Measured& first, const stats::Measured& second) {
     return stats::difference_interval(first, second, nominal_level)->contains(0);
 }

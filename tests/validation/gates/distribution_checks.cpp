@@ -33,7 +33,7 @@ Shares shares_with_a_rare_cell() {
     return shares;
 }
 
-/// Every other cell has more by this share, the others less: at a distance of as much.
+/// Every other cell has more by this share, the others less, so that the distance is equal to this share.
 Shares tilted(Shares shares, double by) {
     for (std::size_t i = 0; i < shares.size(); ++i) shares[i] *= i % 2 == 0 ? 1 + by : 1 - by;
     return shares;

@@ -17,7 +17,7 @@
 namespace ff::studies::gates {
 namespace {
 
-/// How often a value is looked at, and on what.
+/// How often a value is looked at, and on which data.
 struct Looking {
     std::optional<Spending> spending;  ///< empty: each look has all of alpha
     std::size_t looks = 20;

@@ -23,7 +23,7 @@ bool seems_biased(const std::vector<double>& trials, double truth, double larges
     return mean && !stats::interval_of(*mean, 1 - stats::sidak_level(study_alpha, means)).contains(0);
 }
 
-/// Whether some of a study's pairs is called biased: seems so, and its tails are not doubted.
+/// Whether some pair of a study is called biased: it seems so, and its tails are not in doubt.
 bool some_is_called_biased(const Law& law, std::size_t trials, double largest_part, stats::Draws& draws) {
     stats::PooledTails pooled;
     bool some = false;

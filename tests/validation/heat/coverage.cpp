@@ -65,7 +65,7 @@ std::optional<form_factors::Matrix> exact_matrix(const KnownFactor& known, form_
     return matrix;
 }
 
-/// Whether limits with this share of their widths hold what is known.
+/// Whether limits with this share of their widths contain the known values.
 bool holds(const Bounds& found, const Bounds& exact, double share) {
     const double room = exact.half_width() + 1e-12 * std::max(std::abs(exact.low), std::abs(exact.high));
     return found.middle() - share * found.half_width() - room <= exact.middle() &&
@@ -81,7 +81,7 @@ bool all_hold(const Flows& found, const Flows& exact, double share) {
     return true;
 }
 
-/// Empty where intervals of factors have missed them so that no rows add up to 1: the program says so then.
+/// Empty where intervals miss the factors by so much that no rows can add up to 1: the program then says so.
 std::optional<Flows> flows_of(const Scene& scene, const form_factors::Matrix& matrix, const Materials& materials) {
     try {
         return find_flows(scene, matrix, materials, 1);
@@ -101,7 +101,7 @@ form_factors::Matrix sampled_matrix(const Scene& scene, const form_factors::Form
     return form_factors::find_matrix(scene, request);
 }
 
-/// A row of each table. @param holds  whether flows, with this share of their widths, hold what is known
+/// A row of each table. @param holds  whether flows, with this share of their widths, contain the known values
 void add_rates(const std::string& name, const Scene& scene, const Materials& materials,
                const form_factors::FormFactorCoverageOptions& options, FlowCoverage& coverage,
                const std::function<bool(const Flows&, double share)>& holds) {
@@ -119,7 +119,7 @@ void add_rates(const std::string& name, const Scene& scene, const Materials& mat
     coverage.narrower.rates.push_back(rate(1, RateClaim::none));
 }
 
-/// Adds a scene whose factors are known, as all are where nothing is sampled.
+/// Adds a scene whose factors are all known, as where nothing is sampled.
 void add_scene(const std::string& name, const Scene& scene, const KnownFactor& known, FlowCoverage& coverage) {
     const Materials materials = test_materials(scene.faces.size());
     const auto matrix = exact_matrix(known, sampled_matrix(scene, coverage.options, 0));

@@ -25,7 +25,8 @@ using test::unit;
 
 constexpr AxisInterval middle_half{0.25, 0.75};
 
-/// Where rays that start in `from`, end `u` further in `to` and pass the hole on the way start: the length of it.
+/// The length of the set of starts of rays that start in `from`, end `u` further in `to`, and pass through the hole on
+/// the way.
 Real common_length(const AxisInterval& from, const AxisInterval& to, const AxisInterval& hole, Real fraction, Real u) {
     const Real low = std::max({from.low, to.low - u, hole.low - fraction * u});
     const Real high = std::min({from.high, to.high - u, hole.high - fraction * u});
@@ -96,7 +97,7 @@ RC_GTEST_PROP(ExchangeAreaThroughAperture, IsTheSumOverPartsOfTheHole, ()) {
     };
     RC_ASSERT(std::abs(through(whole) - through(left) - through(right)) <= 4e-17L);
     RC_ASSERT(through(whole) <= parallel_exchange_area<Real>(x_from, y_from, x_to, y_to, gap) + 4e-17L);
-    // The other way round it is the same, seen from the other end.
+    // In the other direction the result is the same, seen from the other end.
     const Aperture back{whole.x, whole.y, 1 - whole.fraction};
     // NOLINTNEXTLINE(readability-suspicious-call-argument)
     RC_ASSERT(std::abs(through(whole) - exchange_area_through_aperture(x_to, y_to, x_from, y_from, gap, back)) <=

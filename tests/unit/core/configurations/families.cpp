@@ -120,7 +120,7 @@ TEST(SceneFamilies, RangeFromUnoccludedToFullyOccluded) {
 }
 
 TEST(SceneFamilies, AreClosedWhereAllFactorsOfAFaceAreKnown) {
-    // Factors between the cubes have nothing to do with the formula past the inner one.
+    // Factors between the two cubes do not use the formula for faces seen past the inner one.
     for (const std::string scene : {"nested_cubes:0.5", "nested_cubes", "nested_cubes:3", "nested_cubes:5.5"}) {
         const Scene cubes = built_in_scene(scene);
         const KnownFactors known = known_factors(cubes);

@@ -42,9 +42,9 @@ TEST(RaysAndKernel, IsUnbiasedBetweenPatches) {
     EXPECT_TRUE(test::unbiased(test::estimates<RaysAndKernelPower>(cube, 2, 128, 400, face_1, face_2), exact, risks));
 }
 
-// Two distant squares: a ray hardly ever meets the other one, and the points placed on it do all the work. What the
-// weights leave to the rays is noise, and the power heuristic leaves less. The variances are those of 20000 trials of
-// one point, good to 10 %; without any weights their ratio would be 1.
+// Two distant squares: a ray hardly ever meets the other one, and the points placed on it do all the work. The share
+// that the weights give to the rays is noise, and the power heuristic gives them less. The variances are those of 20000
+// trials of one point, good to 10 %; without any weights their ratio would be 1.
 TEST(RaysAndKernel, HasLessVarianceWithThePowerHeuristic) {
     Scene scene;
     scene.faces = {"a", "b"};

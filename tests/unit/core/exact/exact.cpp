@@ -101,7 +101,7 @@ TEST(ExactExchangeArea, StaysInRangeForTinyHugeFarAndNearRectangles) {
         const double size = std::ldexp(1.0, power);
         EXPECT_EQ(exact_exchange_area(test::scaled(floor, size), test::scaled(ceiling, size)), unit * size * size);
     }
-    // A gap of 1e-14: all that leaves the floor arrives.
+    // A gap of 1e-14: everything that leaves the floor arrives.
     EXPECT_NEAR(exact_exchange_area(floor, rectangle("0:1 0:1 1e-14:1e-14 -z")).value(), 1, 3e-14);
     // 1e6 away: the point-to-point limit 1/(pi r^2) = 3.2e-13, and the absolute error is 1e-15 * 1e12.
     EXPECT_NEAR(exact_exchange_area(floor, rectangle("0:1 0:1 1e6:1e6 -z")).value(), 1e-12 / std::numbers::pi, 1e-3);

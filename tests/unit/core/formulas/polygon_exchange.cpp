@@ -154,7 +154,7 @@ double contour_integral(const Polygon3& from, const Polygon3& to) {
     return sum / (2 * std::numbers::pi);
 }
 
-/// Within the stated error, and what else the two may be apart.
+/// Whether the two differ by at most the stated error and an additional allowance.
 bool agrees(const BoundedValue<double>& exchange, double expected, double allowed) {
     return std::abs(exchange.value - expected) <= exchange.error + allowed;
 }
@@ -240,9 +240,9 @@ TEST(PolygonExchangeArea, IsRightForNearlyParallelEdgesAtAnyDistance) {
             EXPECT_TRUE(agrees(exchange, static_cast<double>(reference.value), static_cast<double>(reference.error)))
                 << tilt << " " << gap << ": " << exchange.value << " +- " << exchange.error << ", "
                 << static_cast<double>(reference.value) << " +- " << static_cast<double>(reference.error);
-            // Nothing is lost but digits: the bound stays of use down to the smallest angles.
+            // Only digits are lost: the bound remains useful down to the smallest angles.
             EXPECT_LT(exchange.error, 1e-13 + 4e-15 / lift) << tilt << " " << gap;
-            // As exact as that, the level roof at either height bounds the tilted one.
+            // To this accuracy, the level roof at either height bounds the tilted one.
             const auto level = [&](double z) {
                 return exact_exchange_area(test::rectangle("0:1 0:1 0:0 +z"),
                                            test::translated(test::rectangle("0:1 0:1 0:0 -z"), {0, 0, z}))

@@ -31,7 +31,7 @@ std::vector<Surface> body(const Vector3d& at, const Vector3d& size, int face) {
             side(at + y, -y, z, face), side(at + z, x, y, face), side(at, y, x, face)};
 }
 
-/// A floor of 4 x 4 in two tiles that faces up, in faces 0; what stands on it is of face 1.
+/// A floor of 4 x 4 in two tiles that faces up, face 0; what stands on it belongs to face 1.
 Scene floor_with(const std::vector<Surface>& above) {
     Scene scene;
     scene.faces = {"floor", "above"};

@@ -135,7 +135,7 @@ TEST(MirrorsThatMeet, MakeAQuarterOfALargerBox) {
     const Scene quarter = mirrored("box:2x1x0.5", {"4", "3"});  // x = 0 and y = 0
     const Eigen::MatrixXd whole = exact_form_factors(built_in_scene("box:4x2x0.5")).value();
     const Eigen::MatrixXd factors = exact_room_factors(quarter).value();
-    // Left are z = 0, y = b, x = a, z = c; every face of the larger box is seen whole.
+    // The remaining faces are z = 0, y = b, x = a, z = c; every face of the larger box is seen whole.
     const std::vector<std::vector<int>> seen{{0}, {1, 2}, {3, 4}, {5}};
     for (int i = 0; i < 4; ++i) {
         for (int j = 0; j < 4; ++j) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr OutsideWords words{"prints", "{seed}", "leave it out"};
 
-/// The trials for which a result was asked. @param result  of a trial
+/// The trials for which a result was requested. @param result  of a trial
 template <class Result, class Telling>
 std::vector<std::uint32_t> probes_of(bool randomised, const Result& result, const Telling& telling) {
     std::vector<std::uint32_t> trials;

@@ -1,5 +1,5 @@
-// A ray that starts on the rounded edge of a tile must not be caught by the back of the tile beside it. Of the rays of
-// each of these tests, 16 and 11 were before Embree's tracer looked out for it.
+// A ray that starts on the rounded edge of a tile must not be caught by the back of the tile beside it. In these two
+// tests, 16 and 11 rays were caught before Embree's tracer allowed for it.
 
 #include "core/geometry/box.hpp"
 #include "core/tracing/tracer.hpp"

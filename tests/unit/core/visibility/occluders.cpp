@@ -134,7 +134,7 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, Occluders::Between> visited(co
     return found;
 }
 
-/// Whether nothing that has to be looked at stands between two places.
+/// Whether no occluder that has to be tested stands between two places.
 bool sees_past(const Vector3d& p, const Surface& from, const Vector3d& q, const Surface& to,
                const std::vector<Blocker>& blockers) {
     std::vector<const Surface*> facing;

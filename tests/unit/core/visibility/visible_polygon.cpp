@@ -105,8 +105,8 @@ TEST(VisiblePolygon, HidesNoMoreThanWhatStandsInTheWay) {
 }
 
 // Against points on the target that core/visibility/occlusion finds visible: 40 random scenes of 4 triangles, 20000
-// points each. The standard error is the sample's; |z| stays below 5 in all 40 with probability 1 - 2e-5. What is
-// hidden must be a share worth looking at in most scenes.
+// points each. The standard error is the sample's; |z| stays below 5 in all 40 with probability 1 - 2e-5. The hidden
+// part has to be considerable in most scenes.
 TEST(VisiblePolygon, AgreesWithPointsThatAreSeen) {
     std::mt19937_64 engine(11);
     std::uniform_real_distribution<double> uniform(0, 1);
@@ -149,7 +149,7 @@ TEST(VisiblePolygon, AgreesWithPointsThatAreSeen) {
 }
 
 // Up to six triangles of any size near, before, behind and across the target, half of which share an edge with the one
-// before them, from places that lie together: within what the arc tangents of both differ by.
+// before them, from places that lie together: the results agree to within the difference of the two arc tangents.
 TEST(VisiblePolygon, AgreesWithThePlainWayFromManyPlacesAtOnce) {
     std::mt19937_64 engine(12);
     std::uniform_real_distribution<double> uniform(0, 1);
@@ -198,8 +198,9 @@ TEST(VisiblePolygon, AgreesWithThePlainWayFromManyPlacesAtOnce) {
     EXPECT_GT(largest_without_last, 0.1) << "a blocker that is missing shows";
 }
 
-// A part of a mesh around the triangle that sees the target. Cut off at its horizon where they touch, but for rounding,
-// one left an edge that ran any way and took the whole shadow off. The second hides nothing that the others do not.
+// A part of a mesh around the triangle that sees the target. Cut off at its horizon where they touch, up to rounding,
+// one of them left an edge of arbitrary direction, which removed the whole shadow. The second hides nothing that the
+// others do not.
 TEST(VisiblePolygon, IsHiddenByWhatTouchesTheSource) {
     const std::array<Vector3d, 8> corners{
         Vector3d(6604.71, 2614.7, 7850.55), {6813.03491651957, 3364.06511714788, 7635.84708951172},

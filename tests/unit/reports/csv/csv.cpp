@@ -17,7 +17,7 @@ namespace {
 using test::csv_fields;
 using test::lines_of;
 
-/// Column names and what stands in a row, by name.
+/// Column names, and the values of a row by name.
 struct CsvTable {
     std::vector<std::string> header;
     std::vector<std::map<std::string, std::string>> rows;

@@ -83,7 +83,7 @@ TEST(Simes, EqualsThePValueOfASingleTest) {
 
 TEST(CauchyCombination, EqualsASingleSmallPValue) {
     const std::array<double, 1> p{1e-9};
-    // Within what is taken off: ln(1e9 / pi) / pi of 3e8.
+    // Within the amount that is subtracted: ln(1e9 / pi) / pi of 3e8.
     EXPECT_NEAR(cauchy_combination(p) / 1e-9, 1, 1e-7);
 }
 
@@ -115,8 +115,8 @@ std::array<int, 2> rejections_of_families(double correlation) {
 }
 
 TEST(GlobalTests, KeepTheirLevelForIndependentAndForCorrelatedScores) {
-    // Fails for no reason with probability 1e-4 a rate: P(more than 139 of 10 000 at 1 %) = 8e-5 (R: pbinom(139, 1e4,
-    // .01, FALSE)). A level of 2 % would give fewer than 140 with probability 3e-6 (pbinom(139, 1e4, .02)).
+    // False alarm with probability 1e-4 per rate: P(more than 139 of 10 000 at 1 %) = 8e-5 (R: pbinom(139, 1e4, .01,
+    // FALSE)). A level of 2 % would give fewer than 140 with probability 3e-6 (pbinom(139, 1e4, .02)).
     for (const double correlation : {0.0, 0.5, 0.95}) {
         const auto [by_simes, by_cauchy] = rejections_of_families(correlation);
         EXPECT_LE(by_simes, 139) << correlation;

@@ -39,7 +39,7 @@ TEST(TwoStage, AsksForAsManyTrialsAsTheGoalNeeds) {
 
 using Law = std::function<double()>;
 
-/// Takes a pilot of 5, then as many values as the rule asks for.
+/// Takes a pilot of 5, then as many values as the rule requires.
 std::vector<double> run_two_stages(const Law& law, double half_width, Pilot& pilot) {
     std::vector<double> values(5);
     for (double& value : values) value = law();
@@ -85,7 +85,7 @@ TEST(TwoStage, StoppingAtAShortIntervalLosesCoverage) {
     EXPECT_FALSE(test::has_probability(covered, runs, two_stage_level, {.detects = 0.026}));
 }
 
-// E (mean - truth)^2 is at most the square of what was asked for, and not far below it.
+// E (mean - truth)^2 is at most the square of the requested error, and not far below it.
 TEST(TwoStage, KeepsThePromisedMeanSquaredError) {
     std::mt19937_64 engine(3);
     std::normal_distribution<double> normal(3, 2);

@@ -14,7 +14,7 @@ namespace {
 using test::eight_values;
 
 TEST(Spread, IsChiSquaredWithoutPositiveKurtosis) {
-    // Kurtosis below 0 is not made use of.
+    // Kurtosis below 0 is not used.
     const Moments flat = moments_of(std::array{1.0, 2.0, 3.0, 4.0, 5.0, 6.0});
     ASSERT_LT(*flat.excess_kurtosis(), 0);
     EXPECT_EQ(mean_square_of(flat)->freedom, 5);

@@ -1,5 +1,5 @@
-// Estimates of the catalogue's scenes against its exact values: right ones agree, and a scene that is not quite what
-// the formula is for is told apart.
+// Estimates of the catalogue's scenes against its exact values: right ones agree, and a scene that is not quite the one
+// of the formula is noticed.
 
 #include "studies/analysis/analysis.hpp"
 #include "studies/plan/plan.hpp"
@@ -75,7 +75,7 @@ TEST(InapplicableMethods, AreLeftOutOrRefused) {
     EXPECT_THAT(plan.warnings, testing::Contains(testing::HasSubstr(
                                    "'P' cannot be used in 1 of 2 scenes, and is left out there: squares_blocked")));
     EXPECT_EQ(plan_study(parse_study(to_toml(plan.spec), "again")).spec, plan.spec);
-    // A method's random numbers do not depend on which scenes are beside it.
+    // A method's random numbers do not depend on the other scenes of the study.
     EXPECT_EQ(plan.cells[0].canonical, test::plan_of(study_of("\"cube\"")).cells[0].canonical);
 
     const std::string nothing =

@@ -162,7 +162,7 @@ TEST(ExpectedRate, IsThatOfJumpsForAKernelThatMayBeOccluded) {
     method.sampler = "stratified";
     EXPECT_DOUBLE_EQ(expected_rate(method, PairClass::parallel, Hiding::possible)->rate, -0.625);
     EXPECT_DOUBLE_EQ(expected_rate(method, PairClass::parallel, Hiding::none)->rate, -0.75);
-    // Where points are looked at one by one they are not graded: no variance, and the rate of the median.
+    // Points that are tested one by one are not graded: there is no variance, and the rate is that of the median.
     method.sampler = "random";
     method.map = PointMap::graded;
     EXPECT_TRUE(expected_rate(method, PairClass::adjacent, Hiding::possible)->of_median);

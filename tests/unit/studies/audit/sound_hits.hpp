@@ -21,7 +21,7 @@ struct SoundHits {
     bool sums = true;
 };
 
-/// Draws one of these at random. @param scenes to choose from
+/// Draws one of these at random. @param scenes  to choose from
 SoundHits any_hits(const std::vector<std::string>& scenes, std::mt19937_64& random);
 
 /// Hits of every face multinomial with its true factors, and all prints from exact fractions.

@@ -222,7 +222,7 @@ Scene round_scene(stats::Draws& draws, bool ball_alone) {
     else
         scene.surfaces.push_back({Disc{Vector3d::Zero(), draws.uniform() < 0.5 ? 0 : 0.5 * radius, radius}, axis, 0});
     const Vector3d towards = ball_alone ? place(1).normalized() : (axis + 0.7 * place(1)).normalized();
-    // From far away down to a small thing close by, whose light few places of the round surface get.
+    // From far away down to a small surface close by, whose light reaches few places of the round one.
     const double distance = radius + std::exp(between(-5, 1));
     const double size = std::exp(between(-5, 0));
     const Vector3d u = towards.cross(place(1)).normalized();

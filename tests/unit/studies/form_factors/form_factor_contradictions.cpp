@@ -11,7 +11,8 @@
 namespace ff::studies::form_factors {
 namespace {
 
-/// A tracer that is broken on purpose: what meets the first `hole` of a surface is lost, once so many rays are shot.
+/// A tracer that is broken on purpose: rays that meet the first `hole` of a surface are lost, once this many rays have
+/// been shot.
 class HoleyTracer final : public Tracer {
   public:
     HoleyTracer(const Scene& scene, float hole, std::uint64_t sound_rays)
@@ -75,8 +76,8 @@ TEST(FormFactorContradictions, AreRareWhereNothingIsBroken) {
     EXPECT_TRUE(test::has_probability_at_most(outcome(0).contradicted, contradiction_runs, 1e-3, contradiction_risk));
 }
 
-// The first pilots are sound, and what follows is not. That is found in at least 0.95 of runs (0.83 would be noticed),
-// and the interval, which holds that of the pilots, misses no more often than that one may.
+// The first pilots are sound, and the later rounds are not. This is found in at least 0.95 of runs (0.83 would be
+// noticed), and the interval, which contains that of the pilots, misses no more often than that one may.
 TEST(FormFactorContradictions, AreFoundWhereLaterRaysAreLost) {
     const Outcome found = outcome(0.1F, 65536);
     EXPECT_TRUE(test::has_probability_at_least(found.contradicted, contradiction_runs, 0.95, contradiction_risk));

@@ -79,7 +79,7 @@ Matrix matrix_with_seed(const Scene& scene, std::uint64_t seed) {
     return find_matrix(scene, request);
 }
 
-/// Somewhere up to 10^7 sizes away, some size and some direction.
+/// A random place up to 10^7 sizes away, a random size and a random direction.
 struct Move {
     Eigen::Matrix3d turn;
     Vector3d by;  ///< displacement in sizes of the scene

@@ -168,7 +168,7 @@ TEST_F(FormFactorStore, IsReadFromAnEarlierVersion) {
     expect_equal(read.matrix, kept.matrix);
 }
 
-/// All that a file says, as text; empty where it is refused.
+/// The whole content of a file as text; empty where it is refused.
 std::string read_or_refused(const std::filesystem::path& file) {
     try {
         const KeptMatrix kept = load_matrix(file);
@@ -266,7 +266,7 @@ TEST_F(FormFactorStore, IsRefusedIfDamaged) {
     save(kept);
     Database(file(), Database::Mode::create_or_open).execute("ALTER TABLE pairs ADD COLUMN more AS (low + high)");
     EXPECT_THAT(refusal<UserError>(), HasSubstr("table 'pairs' is defined otherwise"));
-    // Bytes that are overwritten, as by a failing disk: of the middle of the file.
+    // Bytes in the middle of the file are overwritten, as by a failing disk.
     kept = found(scene_source("nested_cubes"), true);
     save(kept);
     std::fstream(file(), std::ios::in | std::ios::out | std::ios::binary)

@@ -27,8 +27,8 @@ Request request_within(double tolerance, std::uint64_t seed = 1) {
     return request;
 }
 
-/// The matrix of two squares with something in between by rays, stopped when this stage tells of itself for
-/// the first time.
+/// The matrix of two squares with something in between by rays, stopped when this stage reports its progress for the
+/// first time.
 Matrix stopped_in(Progress::Stage stage, Request request) {
     std::atomic<bool> stop = false;
     request.cells = false;
@@ -175,13 +175,13 @@ TEST(FormFactors, ReportTheirProgress) {
 }
 
 TEST(FormFactors, StayBelowTheUnoccludedValue) {
-    // One blocker hides all: that is proved, not sampled.
+    // A single blocker hides everything: that is proved, not sampled.
     Scene scene = built_in_scene("squares_blocked");
     Parallelogram& blocker = parallelogram(scene.surfaces[2]);
     blocker = {{-1, -1, 0.5}, {3, 0, 0}, {0, 3, 0}};
     const Matrix proved = find_matrix(scene, request_within(1e-3));
     EXPECT_LT(proved.exchange(0, 1).high, 1e-13);
-    // Two do so together: what is seen changes nowhere, and is nothing.
+    // Two blockers do so together: the visible part is empty everywhere.
     Scene two = scene;
     two.surfaces.push_back(two.surfaces[2]);
     parallelogram(two.surfaces[2]).edge_u *= 0.51;

@@ -201,8 +201,9 @@ ComparedRooms compare_rooms(std::uint64_t seed, std::uint64_t rooms) {
     return result;
 }
 
-// A line is looked at by itself, past all surfaces: nothing here knows of meshes, bodies, walls or shadows. Up to 2 in
-// 10 000 lie beyond what both ways may be off by; one in 20 would be noticed with probability 0.9, nightly one in 500.
+// Each line is tested by itself against all surfaces: nothing here knows of meshes, bodies, walls or shadows. Up to 2
+// in 10 000 lie beyond what both ways may be off by; one in 20 would be noticed with probability 0.9, nightly one in
+// 500.
 TEST(FormFactorsInRandomRooms, AgreeWithLines) {
     const ComparedRooms compared = compare_rooms(1, test::repetitions(25, 2000));
     EXPECT_GT(compared.pairs, 150u);

@@ -88,7 +88,7 @@ TEST(FlowPlan, SpendsLeastOnPairsOfSimilarTemperature) {
     form_factors::Request request = flow_request();
     request.tolerance = 1e-3;
     form_factors::Matrix matrix = form_factors::find_matrix(scene, request);
-    // As if all had cost as much and come as far.
+    // As if all pairs had cost the same and reached the same accuracy.
     for (form_factors::FaceExchange& pair : matrix.exchanges) {
         if (!pair.is_sampled()) continue;
         const double half_width = 1e-3 * std::min(matrix.areas[pair.from], matrix.areas[pair.to]);
@@ -106,7 +106,7 @@ TEST(FlowPlan, SpendsLeastOnPairsOfSimilarTemperature) {
                                         });
         return (*plan)[static_cast<std::size_t>(found - matrix.exchanges.begin())];
     };
-    // Both adiabatic, at about one temperature, and the roof that they send it to.
+    // Both are adiabatic, at about one temperature, and send their radiation to the roof.
     EXPECT_GT(tolerance("south", "north"), 3 * tolerance("south", "roof"));
     EXPECT_EQ(tolerance("block", "roof"), 0) << "exact";
 }

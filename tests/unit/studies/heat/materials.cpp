@@ -65,7 +65,7 @@ TEST(Materials, AreRefusedByNameWhenWrong) {
     EXPECT_THAT(refusal_of_materials("surroundings = 300\n"), HasSubstr("materials"));
 }
 
-/// Two boxes of one polygon each would do: only names matter.
+/// Two boxes of one polygon each would be enough: only names matter.
 constexpr const char* tiles_obj = R"(
 v 0 0 0
 v 1 0 0

@@ -169,7 +169,7 @@ TEST(Plan, MovesScenesOfFilesToTheOrigin) {
     const StudyPlan far = plan_at(10'000);
     EXPECT_EQ(farthest_coordinate(far.scenes.front()), 1);
     EXPECT_EQ(far.scenes.front().faces, (std::vector<std::string>{"0", "1"}));
-    // Random numbers stay those of the file, and what is near stays where it is.
+    // Random numbers remain those of the file, and scenes near the origin stay where they are.
     EXPECT_EQ(far.scenes.front().canonical, make_scene(far.spec.scenes.front()).canonical);
     EXPECT_EQ(farthest_coordinate(plan_at(7).scenes.front()), 8);
     EXPECT_EQ(known_factors(far.scenes.front()).at(0, 1), known_factors(plan_at(0).scenes.front()).at(0, 1));

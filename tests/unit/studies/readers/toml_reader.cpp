@@ -37,7 +37,7 @@ TEST(ParseToml, RefusesKeysOfManyParts) {
                 << part << before;
         }
     }
-    // Strings, comments and numbers have as many points as they like, whatever else is in them.
+    // Strings, comments and numbers may contain any number of points, whatever else is in them.
     const std::string dots(many, '.');
     for (const std::string& fine :
          {"# " + dots + "'\na = \"" + dots + "\\\"" + dots + "\" # \"" + dots, "a = '" + dots + "\\'",

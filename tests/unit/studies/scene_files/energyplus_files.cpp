@@ -184,7 +184,7 @@ TEST(EnergyPlusFiles, HaveWindowsInWallsThatAreNotConvex) {
     EXPECT_THAT(refusal(zone + window("L")), HasSubstr("'Pane' reaches beyond 'L', its base"));
 }
 
-// On the south wall, whose diagonal is 4.7: up to 0.0094 is put right.
+// On the south wall, whose diagonal is 4.7: up to 0.0094 is corrected.
 TEST(EnergyPlusFiles, HaveWindowsThatRoundingPutsOffTheirWalls) {
     const auto with_pane = [](const Corners& corners) { return room() + window("south wall", "1", corners); };
     const Scene moved = read_zone(with_pane({{3, 0.004, 1}, {3, 0.004, 2}, {1, 0.004, 2}, {1, 0.004, 1}}));

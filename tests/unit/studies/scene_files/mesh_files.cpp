@@ -53,7 +53,7 @@ std::string changed(std::string text, std::string_view from, std::string_view to
     return text.replace(at, from.size(), to);
 }
 
-/// The sample of that name that has a text in it, or is the first of that name.
+/// The sample with that name that contains a text, or the first one with that name.
 std::string sample(std::string_view name, std::string_view part = "") {
     for (const MeshSample& sample : mesh_samples()) {
         if (sample.name == name && sample.bytes.find(part) != std::string::npos) return sample.bytes;
@@ -240,7 +240,7 @@ TEST(MeshFiles, AreRecognisedByTheirContent) {
         std::ofstream(folder.path() / name, std::ios::binary) << bytes;
         return folder.path() / name;
     };
-    // A mesh is read in spite of a name of another mesh, but not as a file of another kind.
+    // A mesh is read even with the extension of another mesh format, but not as a file of another kind.
     EXPECT_THAT(read_scene_file(write("a.msh", sample("room.vtu"))), HasSubstr("g part_1"));
     const auto fault = [](const std::filesystem::path& file) -> std::string {
         try {

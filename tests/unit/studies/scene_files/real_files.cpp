@@ -1,4 +1,4 @@
-// Files as people have them: what other programs write, and what can be meant by it in one way only.
+// Files from practice: what other programs write, as far as it can be understood in one way only.
 #include "core/support/error.hpp"
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/scene_files/scene_file.hpp"
@@ -82,7 +82,7 @@ TEST(RealObjFiles, HaveAScaleAndAnAxisThatPointsUp) {
     EXPECT_THAT(read_cube(floor + "# scale 0.001\n# up y\n").remarks,
                 ElementsAre("its lengths are multiplied by 0.001", HasSubstr("its y axis")));
     EXPECT_TRUE(read_cube(floor + "# Closed\n").closed);
-    // Comments that mean something else are passed over.
+    // Comments that mean something else are ignored.
     EXPECT_THAT(read_cube(floor + "# scale\n# scale of nothing\n# scale 0\n# scale -2\n# up to date\n").remarks,
                 IsEmpty());
 }
@@ -163,7 +163,7 @@ TEST(RealObjFiles, HaveThinWallsBetweenRooms) {
     }
 }
 
-// However short the edges that turn back are; and what turns round twice is a star.
+// However short the edges that turn back are; a polygon that goes round twice is a star.
 TEST(RealObjFiles, HaveConcavePolygonsOfManyCorners) {
     for (const int corners : {40, 1000}) {
         std::string text, polygon = "f";

@@ -41,7 +41,7 @@ rc::Gen<std::uint64_t> at_least_two(std::uint64_t max) {
     return rc::gen::oneOf(rc::gen::inRange<std::uint64_t>(2, 100), rc::gen::inRange<std::uint64_t>(2, max + 1));
 }
 
-/// In (0, 1), with all bits of a double.
+/// A number in (0, 1), with all bits of a double.
 double any_fraction() {
     return static_cast<double>(*rc::gen::inRange<std::uint64_t>(1, 1ULL << 53)) * 0x1p-53;
 }

@@ -11,7 +11,7 @@
 namespace ff::studies {
 namespace {
 
-/// A file with one row, as a program leaves it that is killed while it writes a thousand more.
+/// A file with one row, as it is left by a program that is killed while it writes a thousand more.
 std::filesystem::path killed_while_writing(const std::filesystem::path& folder) {
     const auto file = folder / "store.sqlite";
     Database writer(file, Database::Mode::create_or_open);

@@ -155,7 +155,7 @@ TEST(JudgeEstimates, PassesTheSpreadOfSkewedTrialsNoMoreOftenThanStated) {
         EXPECT_LE(count_spreads(Verdict::pass, 300, trials, 0.7, 1.5, {1 / 1.5, 1.5}), 30) << trials;
         EXPECT_LE(count_spreads(Verdict::pass, 300, trials, 1, 1.5, {1 / 1.5, 1.5}), 30) << trials;
     }
-    // And a sound one passes still: fewer than 200 of 300 pass with probability 5e-4 where 3 of 4 should.
+    // And a sound one still passes: fewer than 200 of 300 pass with probability 5e-4 where 3 of 4 should.
     EXPECT_GE(count_spreads(Verdict::pass, 300, 400, 0.5, 1, {1 / 1.5, 1.5}), 200);
 }
 
