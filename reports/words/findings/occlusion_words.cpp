@@ -41,8 +41,8 @@ std::vector<const HiddenPair*> scenes_where(const StudyResults& results, Conditi
 /// Slopes of one method, in ascending order.
 struct Slopes {
     std::vector<double> values;
-    int flat =
-        0;  ///< slopes that are shown to be flatter than that of random points; without an interval, those that are
+    /// Number that are shown to be flatter than that of random points; without an interval, number that are.
+    int flat = 0;
 };
 
 Slopes slopes_of(const std::vector<const HiddenPair*>& scenes, std::size_t method) {

@@ -35,8 +35,8 @@ struct Ranking {
     std::size_t scene = 0;
     PairClass pair_class = PairClass::other;
     std::string said = {};  ///< a clause that follows the name of the pairs: " SR has the smallest error"
-    std::optional<std::size_t> random_cell =
-        {};  ///< cell whose variance the others are compared with; for variances only
+    /// Cell whose variance the others are compared with; for variances only.
+    std::optional<std::size_t> random_cell = {};
 };
 
 /// "On parallel pairs SR has the smallest error."
