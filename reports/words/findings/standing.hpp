@@ -12,10 +12,9 @@
 
 namespace ff::reports {
 
-/// Who comes first and who last, of methods that are measured side by side. Nothing else in the reports may say so. A
-/// method is named only where it can be distinguished at the study's level over all pairs of methods
-/// (studies/comparison/ranking), which pays for having picked the best, or the worst, of many: the first of those that
-/// no other is, the last where it differs from every other.
+// Which of the methods that are measured side by side comes first, and which last. Nothing else in the reports may say
+// so. A method is named only where it differs from all others at the study's level over all pairs of methods
+// (studies/comparison/ranking), which allows for having picked the best, or the worst, of many.
 
 /// One of the methods that a ranking shows.
 struct RankedMethod {
