@@ -13,7 +13,7 @@
 namespace ff {
 namespace {
 
-constexpr AxisInterval unit{0, 1};
+constexpr AxisInterval one{0, 1};
 constexpr AxisInterval three{0, 3};
 
 /// The interval of places x on the first rectangle, from where a ray that ends `u` further meets an interval a fraction
@@ -138,17 +138,17 @@ long double exchange_area_through_aperture(const AxisInterval& x_from, const Axi
 long double squares_through_aperture_factor(long double edge) {
     const long double half = edge / 2;
     const AxisInterval hole{0.5L - half, 0.5L + half};
-    return edge == 0 ? 0 : exchange_area_through_aperture(unit, unit, unit, unit, 1, {hole, hole, 0.5});
+    return edge == 0 ? 0 : exchange_area_through_aperture(one, one, one, one, 1, {hole, hole, 0.5});
 }
 
 long double squares_blocked_factor(long double edge) {
-    const long double open = parallel_exchange_area<long double>(unit, unit, unit, unit, 1);
+    const long double open = parallel_exchange_area<long double>(one, one, one, one, 1);
     return std::max(0.0L, open - squares_through_aperture_factor(edge));
 }
 
 long double l_shaped_room_exchange_area(long double depth) {
     const long double gap = 1 + depth;
-    return exchange_area_through_aperture(three, three, unit, three, gap, {unit, three, 1 / gap});
+    return exchange_area_through_aperture(three, three, one, three, gap, {one, three, 1 / gap});
 }
 
 long double nested_cubes_opposite_factor(long double inner, long double outer) {

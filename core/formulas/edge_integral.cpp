@@ -22,12 +22,12 @@ constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
 
 /// An edge by arc length: begin + s * direction, 0 <= s <= length.
 template <class Real>
-struct Line {
+struct EdgeLine {
     Vector3<Real> begin;
     Vector3<Real> direction;
     Real length = 0;
 
-    explicit Line(const DirectedEdge<Real>& edge)
+    explicit EdgeLine(const DirectedEdge<Real>& edge)
         : begin(edge.begin), direction(edge.end - edge.begin), length(direction.norm()) {
         if (length > 0) direction /= length;
     }
@@ -35,7 +35,7 @@ struct Line {
 
 /// The integral of ln r + 1 over the points of a line, from a place.
 template <class Real>
-Real integral_from(const Vector3<Real>& place, const Line<Real>& line) {
+Real integral_from(const Vector3<Real>& place, const EdgeLine<Real>& line) {
     const Vector3<Real> from_begin = place - line.begin;
     const Real foot = from_begin.dot(line.direction);
     const Vector3<Real> height = from_begin - foot * line.direction;
@@ -83,7 +83,7 @@ struct Panel<long double> {
 template <class Real>
 class SkewIntegral {
   public:
-    SkewIntegral(const Line<Real>& outer, const Line<Real>& inner) : outer_(outer), inner_(inner) {
+    SkewIntegral(const EdgeLine<Real>& outer, const EdgeLine<Real>& inner) : outer_(outer), inner_(inner) {
         const Vector3<Real> between = inner.begin - outer.begin;
         const Vector3<Real> across = outer.direction.cross(inner.direction);
         const Real squared_sine = across.squaredNorm();
@@ -137,8 +137,8 @@ class SkewIntegral {
         integral_.error += half * (truncation + 16 * epsilon<Real>)+4 * epsilon<Real> * std::abs(value);
     }
 
-    Line<Real> outer_;
-    Line<Real> inner_;
+    EdgeLine<Real> outer_;
+    EdgeLine<Real> inner_;
     std::array<std::complex<Real>, 3> singularities_;  ///< over s, and their conjugates
     BoundedValue<Real> integral_;
 };
@@ -147,8 +147,8 @@ class SkewIntegral {
 
 template <class Real>
 BoundedValue<Real> log_distance_integral(const DirectedEdge<Real>& a, const DirectedEdge<Real>& b) {
-    Line<Real> outer(a);
-    Line<Real> inner(b);
+    EdgeLine<Real> outer(a);
+    EdgeLine<Real> inner(b);
     if (outer.length == 0 || inner.length == 0) return {};
     const Real cosine = outer.direction.dot(inner.direction);
     const Real product = outer.length * inner.length;
@@ -170,7 +170,7 @@ BoundedValue<Real> log_distance_integral(const DirectedEdge<Real>& a, const Dire
 }
 
 double log_distance_integral(const Vector3<double>& place, const DirectedEdge<double>& edge) {
-    const Line<double> line(edge);
+    const EdgeLine<double> line(edge);
     return line.length == 0 ? 0 : integral_from(place, line);
 }
 

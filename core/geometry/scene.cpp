@@ -13,7 +13,7 @@
 namespace ff {
 
 double area(const Shape& shape) {
-    constexpr double pi = std::numbers::pi;
+    using std::numbers::pi;
     return std::visit(
         Overloaded{
             [](const Parallelogram& p) { return p.edge_u.cross(p.edge_v).norm(); },

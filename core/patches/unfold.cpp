@@ -18,42 +18,42 @@ struct Plane {
     double height = 0;
 };
 
-enum class Side { middle, left, right, bottom, top, opposite };
+enum class BoxSide { middle, left, right, bottom, top, opposite };
 
-Side side_of(const Plane& plane, const Surface& surface) {
+BoxSide side_of(const Plane& plane, const Surface& surface) {
     const double across = surface.normal.dot(plane.right);
     const double along = surface.normal.dot(plane.up);
-    if (surface.normal.dot(plane.normal) > 0.5) return Side::middle;
-    if (across > 0.5) return Side::left;  // normals point into the box
-    if (across < -0.5) return Side::right;
-    if (along > 0.5) return Side::bottom;
-    return along < -0.5 ? Side::top : Side::opposite;
+    if (surface.normal.dot(plane.normal) > 0.5) return BoxSide::middle;
+    if (across > 0.5) return BoxSide::left;  // normals point into the box
+    if (across < -0.5) return BoxSide::right;
+    if (along > 0.5) return BoxSide::bottom;
+    return along < -0.5 ? BoxSide::top : BoxSide::opposite;
 }
 
 /// Where a point of the surface at `side` lies after unfolding.
-Eigen::Vector2d unfold(const Plane& plane, Side side, double depth, const Eigen::Vector3d& point) {
+Eigen::Vector2d unfold(const Plane& plane, BoxSide side, double depth, const Eigen::Vector3d& point) {
     const Eigen::Vector3d offset = point - plane.corner;
     const double x = offset.dot(plane.right);
     const double y = offset.dot(plane.up);
     const double z = offset.dot(plane.normal);
     switch (side) {
-        case Side::left:
+        case BoxSide::left:
             return {-z, y};
-        case Side::right:
+        case BoxSide::right:
             return {plane.width + z, y};
-        case Side::bottom:
+        case BoxSide::bottom:
             return {x, -z};
-        case Side::top:
+        case BoxSide::top:
             return {x, plane.height + z};
-        case Side::opposite:
+        case BoxSide::opposite:
             return {2 * plane.width + depth - x, y};
-        case Side::middle:
+        case BoxSide::middle:
             break;
     }
     return {x, y};
 }
 
-FlatRectangle flatten(const Plane& plane, Side side, double depth, const Parallelogram& shape) {
+FlatRectangle flatten(const Plane& plane, BoxSide side, double depth, const Parallelogram& shape) {
     const Eigen::Vector2d a = unfold(plane, side, depth, shape.corner);
     const Eigen::Vector2d b = unfold(plane, side, depth, shape.corner + shape.edge_u + shape.edge_v);
     return {std::min(a.x(), b.x()), std::min(a.y(), b.y()), std::max(a.x(), b.x()), std::max(a.y(), b.y())};
@@ -75,7 +75,7 @@ std::optional<UnfoldedBox> unfold_box(const Scene& scene, Subdivision subdivisio
     constexpr double infinity = std::numeric_limits<double>::infinity();
     box.extent = {infinity, infinity, -infinity, -infinity};
     for (const Surface& surface : scene.surfaces) {
-        const Side side = side_of(plane, surface);
+        const BoxSide side = side_of(plane, surface);
         const FlatRectangle whole = flatten(plane, side, depth, parallelogram(surface));
         box.surfaces.push_back(whole);
         box.extent = {std::min(box.extent.left, whole.left), std::min(box.extent.bottom, whole.bottom),

@@ -268,8 +268,8 @@ void VisiblePolygon::find(std::span<const Vector3d> places, const Vector3d& norm
     FF_EXPECT(result.size() == places.size());
     // Two sums for each place: of the whole, and of what differs from it.
     ArcSums sums(normal, 2 * places.size());
-    enum class Sight : std::uint8_t { nothing, all, all_but, part };
-    boost::container::small_vector<Sight, 32> sights(places.size(), Sight::nothing);
+    enum class Seen : std::uint8_t { nothing, all, all_but, part };
+    boost::container::small_vector<Seen, 32> sights(places.size(), Seen::nothing);
     SmallPolygon whole;
     SmallPolygon cone;
     SmallPolygon blocker;
@@ -297,15 +297,15 @@ void VisiblePolygon::find(std::span<const Vector3d> places, const Vector3d& norm
             if (!sides.empty() && keep_those_that_cut(sides, whole)) shadows.push_back({index, is_before, sides});
         }
         if (shadows.empty()) {
-            sights[k] = Sight::all;
+            sights[k] = Seen::all;
         } else if (shadows.size() == 1) {
             if (!hide(whole, shadows.front().sides, rounding)) continue;
             sums.add(2 * k + 1, whole, -1);
-            sights[k] = Sight::all_but;
+            sights[k] = Seen::all_but;
         } else {
             Adding adding(are_convex_, blockers_.size(), rounding, sums, 2 * k + 1);
             adding.add(std::move(whole), {shadows.data(), shadows.size()});
-            sights[k] = Sight::part;
+            sights[k] = Seen::part;
         }
     }
     const std::span<const double> sum = sums.result();

@@ -29,7 +29,7 @@ std::string tests_in_words(const RunComparison& comparison) {
     return fmt::format("{}, {:g} % together", counted(comparison.tests, "test"), 100 * (1 - comparison.level));
 }
 
-std::string rmse_text(const studies::CellAnalysis& found, PairClass pair_class) {
+std::string plain_rmse(const studies::CellAnalysis& found, PairClass pair_class) {
     const auto rmse = found.class_rmse(pair_class);
     return rmse ? fmt::format("{:.2e}", *rmse) : "infinite";
 }
@@ -68,8 +68,8 @@ Table cells_table(const RunComparison& comparison) {
         for (const studies::RmseRatio& ratio : compared.ratios) {
             table.rows.push_back(
                 {std::exchange(method, {}), std::exchange(size, {}), std::exchange(trials, {}), name(ratio.pair_class),
-                 rmse_text(comparison.first.cells[compared.first], ratio.pair_class),
-                 rmse_text(comparison.second.cells[compared.second], ratio.pair_class), std::exchange(verdict, {})});
+                 plain_rmse(comparison.first.cells[compared.first], ratio.pair_class),
+                 plain_rmse(comparison.second.cells[compared.second], ratio.pair_class), std::exchange(verdict, {})});
         }
     }
     return table;

@@ -22,7 +22,7 @@ constexpr std::array method_colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", 
 constexpr std::array method_symbols{"circle",  "square",         "triangle-up",  "cross",
                                     "diamond", "triangle-right", "triangle-down"};
 constexpr const char* grey = "#8b8f94";
-constexpr std::size_t leaders = 3;
+constexpr std::size_t most_emphasised = 3;
 
 /// Ranks of each method among slopes or, without any, among errors, added up over classes of pairs and scenes.
 std::map<std::size_t, double> mean_ranks(const StudyResults& results) {
@@ -56,7 +56,7 @@ std::set<std::size_t> coloured(const StudyResults& results, const MethodChoice& 
     }
     if (chosen.size() <= method_colours.size()) return chosen;
     chosen.clear();
-    std::size_t most = leaders;
+    std::size_t most = most_emphasised;
     const auto add = [&](std::size_t method) {
         if (chosen.size() < most) chosen.insert(method);
     };
@@ -74,7 +74,7 @@ std::set<std::size_t> coloured(const StudyResults& results, const MethodChoice& 
     for (const auto& [method, rank] : ranks) order.push_back(method);
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return ranks.at(a) < ranks.at(b); });
-    order.resize(std::min(order.size(), leaders));
+    order.resize(std::min(order.size(), most_emphasised));
     for (const std::size_t method : order) add(method);
     for (std::size_t i = 0; i < methods.size(); ++i) {
         if (is_of_user(methods[i])) add(i);

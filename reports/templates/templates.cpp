@@ -12,7 +12,7 @@
 namespace ff::reports {
 namespace {
 
-constexpr std::array<std::string_view, 4> kinds{".mustache", ".css", ".js", ".json"};
+constexpr std::array<std::string_view, 4> suffixes{".mustache", ".css", ".js", ".json"};
 
 std::string read_text(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -30,7 +30,7 @@ Templates Templates::read(std::span<const std::filesystem::path> folders) {
         std::error_code error;
         for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
             const std::string kind = entry.path().extension().string();
-            if (entry.is_regular_file() && std::find(kinds.begin(), kinds.end(), kind) != kinds.end())
+            if (entry.is_regular_file() && std::find(suffixes.begin(), suffixes.end(), kind) != suffixes.end())
                 files.insert_or_assign(entry.path().filename().string(), read_text(entry.path()));
         }
         if (error) {

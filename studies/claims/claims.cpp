@@ -32,27 +32,27 @@ std::string percent(const Share& share) {
 namespace {
 
 /// The basis of a verdict: intervals of mean errors, or shares and ranges of single runs.
-enum class Basis { means, runs };
+enum class Grounds { means, runs };
 
 struct Kind {
     std::string_view name;
-    Basis basis;
+    Grounds grounds;
     Judgement (*judge)(const ClaimEvidence&, const PublishedClaim&);
 };
 
 constexpr std::array kinds{
-    Kind{"error_falls_with_subdivision", Basis::means, judge_falling},
-    Kind{"error_falls_with_subdivision_not_always", Basis::runs, judge_not_always_falling},
-    Kind{"error_falls_with_samples", Basis::means, judge_falling},
-    Kind{"smaller_sum_error", Basis::means, judge_smaller_sum_error},
-    Kind{"smaller_error", Basis::means, judge_smaller_error},
-    Kind{"smaller_error_not_always", Basis::runs, judge_not_always_smaller},
-    Kind{"count_larger_error", Basis::runs, judge_count},
-    Kind{"uniform_error", Basis::runs, judge_uniform},
-    Kind{"nonuniform_error", Basis::runs, judge_nonuniform},
-    Kind{"no_single_best", Basis::means, judge_division},
-    Kind{"best_per_class", Basis::means, judge_advice},
-    Kind{"claimed_errors_hold", Basis::runs, judge_claimed_errors_hold},
+    Kind{"error_falls_with_subdivision", Grounds::means, judge_falling},
+    Kind{"error_falls_with_subdivision_not_always", Grounds::runs, judge_not_always_falling},
+    Kind{"error_falls_with_samples", Grounds::means, judge_falling},
+    Kind{"smaller_sum_error", Grounds::means, judge_smaller_sum_error},
+    Kind{"smaller_error", Grounds::means, judge_smaller_error},
+    Kind{"smaller_error_not_always", Grounds::runs, judge_not_always_smaller},
+    Kind{"count_larger_error", Grounds::runs, judge_count},
+    Kind{"uniform_error", Grounds::runs, judge_uniform},
+    Kind{"nonuniform_error", Grounds::runs, judge_nonuniform},
+    Kind{"no_single_best", Grounds::means, judge_division},
+    Kind{"best_per_class", Grounds::means, judge_advice},
+    Kind{"claimed_errors_hold", Grounds::runs, judge_claimed_errors_hold},
 };
 
 }  // namespace
@@ -68,7 +68,7 @@ std::vector<JudgedClaim> judge_claims(const CellReader& cells, const Analysis& f
                             "A claim of this kind cannot be judged by numbers of the study."};
         if (kind != kinds.end() && !scene) judgement = not_in_study();
         if (kind != kinds.end() && scene) {
-            judgement = kind->basis == Basis::means && evidence.infinite_variance(claim)
+            judgement = kind->grounds == Grounds::means && evidence.infinite_variance(claim)
                             ? Judgement{ClaimVerdict::inconclusive,
                                         "A method has infinite variance on pairs that touch: no interval holds for its "
                                         "mean error."}

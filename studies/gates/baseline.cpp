@@ -21,7 +21,7 @@ constexpr std::string_view schema = "ffstudy.baseline/1";
 constexpr double smallest_square = smallest_magnitude * smallest_magnitude;
 constexpr double largest_square = largest_magnitude * largest_magnitude;
 constexpr double least_freedom = 0.5;  // the largest kurtosis that n values can have leaves more
-constexpr std::int64_t most_trials = 1'000'000'000'000'000;
+constexpr std::int64_t most_stored_trials = 1'000'000'000'000'000;
 
 double read_number(const Json& json, const char* key, double low) {
     const auto number = json.at(key).get<double>();
@@ -74,7 +74,7 @@ StoredQuantity read_quantity(const Json& json) {
     StoredQuantity stored;
     stored.cell = json.at("cell").get<std::string>();
     stored.quantity = {QuantityKind::form_factor, read_face(json, "from"), read_face(json, "to")};
-    stored.trials = static_cast<std::uint64_t>(read_whole(json, "trials", 1, most_trials));
+    stored.trials = static_cast<std::uint64_t>(read_whole(json, "trials", 1, most_stored_trials));
     stored.mean = read_number(json, "mean", -largest_magnitude);
     stored.standard_error = read_number(json, "standard_error", 0);
     stored.variance = read_spread(json.at("variance"), stored.trials);

@@ -14,8 +14,6 @@
 namespace ff::studies::gates {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Confidence that a standard deviation is no larger than its upper limit from the pilot.
 constexpr double pilot_confidence = 0.9;
 
@@ -148,7 +146,7 @@ std::optional<std::uint64_t> needed(const Gate& gate, const Plan& plan, std::siz
         case GateKind::rmse:
         case GateKind::efficiency: {
             Band band = gate.band;
-            double freedom = infinity;
+            double freedom = std::numeric_limits<double>::infinity();
             const auto& spread = gate.kind == GateKind::rmse ? stored.value_or(StoredQuantity{}).mean_square_error
                                                              : stored.value_or(StoredQuantity{}).variance;
             if (spread) freedom = spread->freedom;

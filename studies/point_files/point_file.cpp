@@ -14,18 +14,18 @@ namespace ff::studies {
 namespace {
 
 /// Rows of text, and where each set ends.
-struct Rows {
+struct TextRows {
     std::vector<double> values;
     std::size_t width = 0;
     std::vector<std::uint64_t> ends;  ///< ends of sets, counted in rows
     std::uint64_t rows = 0;
 };
 
-void end_set(Rows& rows) {
+void end_set(TextRows& rows) {
     if (rows.rows != (rows.ends.empty() ? 0 : rows.ends.back())) rows.ends.push_back(rows.rows);
 }
 
-void read_row(std::string_view line, Rows& rows, const std::string& place) {
+void read_row(std::string_view line, TextRows& rows, const std::string& place) {
     const auto words = split_words(line, " \t,;\r");
     for (const std::string_view word : words) {
         const auto value = parse_bare_number<double>(word);
@@ -45,7 +45,7 @@ void read_row(std::string_view line, Rows& rows, const std::string& place) {
 }
 
 samplers::PointSet parse_text(std::string_view text, const std::string& origin) {
-    Rows rows;
+    TextRows rows;
     for_each_line(text, [&](std::uint64_t number, std::string_view line) {
         if (line.starts_with('#')) {
             end_set(rows);
