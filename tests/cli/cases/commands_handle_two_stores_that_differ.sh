@@ -62,10 +62,10 @@ finish 2>"$folder/killed"
 
 for one in "${stores[@]}"; do
     for other in "${stores[@]}"; do
-        [ "$one" != "$other" ] || continue
+        [[ $one < $other ]] || continue
         ends compare "$one" "$other" --quiet
         rm -rf merged
-        ends merge "$one" "$other" --out merged --quiet
+        ends merge "$other" "$one" --out merged --quiet
     done
     # Growing: the study of the first in the folder of another, which is kept aside or refused.
     [ "$one" = empty ] || [ "$one" = begun ] || for other in base sizes fewer_faces half; do
