@@ -18,7 +18,7 @@ using testing::AssertionFailure;
 using testing::AssertionResult;
 using testing::AssertionSuccess;
 
-constexpr std::uint32_t fewest_trials = 64;
+constexpr std::uint32_t fewest_trials = 32;
 constexpr std::uint32_t most_trials = 2048;
 
 std::uint64_t samples(const EstimatorInfo& info) {

@@ -37,9 +37,9 @@ TEST(RaysAndKernel, IsBoundedWhereFacesTouch) {
 TEST(RaysAndKernel, IsUnbiasedBetweenPatches) {
     const Scene cube = make_box(1, 1, 1);
     const double exact = *exact_form_factor(cube, face_1, face_2);
-    const test::StatisticalRisk risks{.alpha = 1e-8, .detects = 0.03 * exact};
-    EXPECT_TRUE(test::unbiased(test::estimates<RaysAndKernel>(cube, 2, 128, 400, face_1, face_2), exact, risks));
-    EXPECT_TRUE(test::unbiased(test::estimates<RaysAndKernelPower>(cube, 2, 128, 400, face_1, face_2), exact, risks));
+    const test::StatisticalRisk risks{.alpha = 1e-8, .detects = 0.06 * exact};
+    EXPECT_TRUE(test::unbiased(test::estimates<RaysAndKernel>(cube, 2, 128, 100, face_1, face_2), exact, risks));
+    EXPECT_TRUE(test::unbiased(test::estimates<RaysAndKernelPower>(cube, 2, 128, 100, face_1, face_2), exact, risks));
 }
 
 // Two distant squares: a ray hardly ever meets the other one, and the points placed on it do all the work. The share

@@ -16,7 +16,7 @@ Eigen::VectorXd irradiation(const Eigen::MatrixXd& factors, const FaceLaws& laws
     const Index n = factors.rows();
     const Eigen::MatrixXd between = factors.leftCols(n);
     const Eigen::MatrixXd system = Eigen::MatrixXd::Identity(n, n) - between * laws.reflected.asDiagonal();
-    return system.fullPivLu().solve(between * laws.emitted + factors.col(n) * laws.surroundings);
+    return system.partialPivLu().solve(between * laws.emitted + factors.col(n) * laws.surroundings);
 }
 
 struct RandomCase {

@@ -40,9 +40,11 @@ std::vector<std::string> doubts_of(const test::MakeRows& rows, std::uint64_t poi
 
 TEST(StructureDoubts, SpareTheCatalogueAtItsOwnAndAtOddSizes) {
     const std::uint64_t trials = ff::test::repetitions(200, 1000);
+    std::vector<std::uint64_t> sizes{16, 63, 64, 100, 625};
+    if (ff::test::is_nightly()) sizes.insert(sizes.end(), {96, 128, 256, 1000});
     for (const auto& sampler : samplers::catalogue()) {
         if (!sampler.info.equal_weights) continue;
-        for (const std::uint64_t n : {16u, 63u, 64u, 96u, 100u, 128u, 256u, 625u, 1000u}) {
+        for (const std::uint64_t n : sizes) {
             for (const std::size_t d : {std::size_t{2}, max_dimension}) {
                 if (samplers::check_size(sampler.info, n, d).fatal) continue;
                 EXPECT_THAT(doubts_of(sampler, n, d, 1, trials), IsEmpty())
