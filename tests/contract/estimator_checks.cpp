@@ -163,13 +163,13 @@ AssertionResult is_unbiased(const EstimatorEntry& estimator, const Configuration
         if (error <= (estimator.info.own_points ? noticed_bias(exact) : 1e-12)) return AssertionSuccess();
         return AssertionFailure() << "off by " << error;
     }
-    // As many trials as their spread requires: ten standard errors are noticed at 1e-8 with power 0.99.
+    // As many trials as their spread requires: of 32, eleven standard errors are noticed at 1e-8 with power 0.99.
     std::vector<double> estimates;
     const double noticed = noticed_bias(exact);
     for (std::size_t wanted = fewest_trials; wanted <= most_trials; wanted *= 2) {
         while (estimates.size() < wanted)
             estimates.push_back(ready.trial(static_cast<std::uint32_t>(estimates.size()))(from, to));
-        if (10 * standard_error(estimates) < noticed) break;
+        if (11 * standard_error(estimates) < noticed) break;
     }
     // Values that differ by rounding alone have no spread to judge by.
     const auto [least, most] = std::minmax_element(estimates.begin(), estimates.end());

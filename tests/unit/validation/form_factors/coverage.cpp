@@ -31,9 +31,9 @@ TEST(FormFactorCoverage, ReachesTheStatedLevel) {
 }
 
 // Half the width holds about 0.71 of all values where it should hold 0.955 (Student's t, 15 degrees of freedom).
-// A rate falls below its interval up to 42 of 50: all six do with probability 0.94.
+// A rate falls below its interval up to 69 of 80: all six do with probability 0.997.
 TEST(FormFactorCoverage, FallsShortWhereIntervalsAreTooNarrow) {
-    EXPECT_EQ(coverage_of(0.5, 50).contradictions(), 6u);
+    EXPECT_EQ(coverage_of(0.5, 80).contradictions(), 6u);
 }
 
 }  // namespace
