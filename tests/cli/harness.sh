@@ -6,8 +6,6 @@ set -euo pipefail
 program=${1:?usage: CASE PROGRAM DATA_FOLDER}
 data=${2:?usage: CASE PROGRAM DATA_FOLDER}
 export LC_ALL=C
-# The interpreter itself: a launcher such as pyenv's takes half a second to find it, each time.
-PATH=$(python3 -c 'import os, sys; print(os.path.dirname(sys.executable))'):$PATH
 unset COLUMNS
 PYTHONPATH=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)  # arrays.py
 export PYTHONPATH PYTHONDONTWRITEBYTECODE=1
