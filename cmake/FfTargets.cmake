@@ -13,7 +13,7 @@ if(FFSTUDY_WERROR)
   target_compile_options(ff_settings INTERFACE -Werror)
 endif()
 
-# g++ collects garbage less often: a twelfth of its time.
+# g++ collects garbage less often, which saves 5 to 10 % of its time.
 target_compile_options(ff_settings INTERFACE $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288>)
 
 # Flags that decide results; the program reports them. a*b+c must round twice on every CPU, or hit counts would differ

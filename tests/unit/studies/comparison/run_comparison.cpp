@@ -29,7 +29,7 @@ patches_per_face = 4
 )";
 
 // Comparisons of sound runs at 5 % each: a rate above 5 % is claimed by mistake with probability 1e-6, and a rate of
-// 25 % (nightly 15 %) is found with probability 0.99.
+// 29 % (nightly 17 %) is found with probability 0.99.
 TEST(RunComparison, CallsSoundRunsDifferentNoMoreOftenThanStated) {
     std::uint64_t alarms = 0;
     const int repeats = test::is_nightly() ? 300 : 100;
