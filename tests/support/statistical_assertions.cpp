@@ -1,11 +1,12 @@
 #include "tests/support/statistical_assertions.hpp"
 
 #include "stats/basics/binomial.hpp"
-#include "stats/basics/distributions.hpp"
 #include "stats/error_rates/power.hpp"
 #include "stats/means/mean_test.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ff::test {
 namespace {
@@ -26,10 +27,27 @@ AssertionResult judge(double p, double detectable, StatisticalRisk risk) {
     return sharp_enough(detectable, risk);
 }
 
-/// Shift that a binomial test notices (normal approximation with the variance of the null).
-double detectable_shift(std::uint64_t trials, double probability, StatisticalRisk risk, double sides) {
-    const double sd = std::sqrt(probability * (1 - probability) / static_cast<double>(trials));
-    return (stats::normal_critical(risk.alpha / sides) + stats::normal_critical(1 - risk.power)) * sd;
+/// The smallest rise of the probability that is noticed with this power; infinite where none is. `fails` tells from
+/// which number of hits on the assertion fails.
+template <class Fails>
+double detectable_rise(std::uint64_t trials, double probability, double power, const Fails& fails) {
+    auto fewest = static_cast<std::uint64_t>(std::ceil(static_cast<double>(trials) * probability));
+    std::uint64_t failing = trials;
+    if (!fails(failing)) return std::numeric_limits<double>::infinity();
+    while (fewest < failing) {
+        const std::uint64_t middle = fewest + (failing - fewest) / 2;
+        if (fails(middle))
+            failing = middle;
+        else
+            fewest = middle + 1;
+    }
+    double unnoticed = 0;
+    double noticed = 1 - probability;
+    while (noticed - unnoticed > 1e-6) {
+        const double rise = (unnoticed + noticed) / 2;
+        (stats::binomial_upper_p({failing, trials}, probability + rise) < power ? unnoticed : noticed) = rise;
+    }
+    return noticed;
 }
 
 AssertionResult describe(AssertionResult result, std::uint64_t hits, std::uint64_t trials, double probability) {
@@ -51,20 +69,34 @@ AssertionResult unbiased(std::span<const double> replicates, double truth, Stati
 }
 
 AssertionResult has_probability(std::uint64_t hits, std::uint64_t trials, double probability, StatisticalRisk risk) {
+    const auto fails = [&](std::uint64_t count) {
+        return stats::binomial_two_sided_p({count, trials}, probability) < risk.alpha;
+    };
+    // A shift is noticed in both directions, where the probability leaves room for it.
+    double detectable = 0;
+    if (probability + risk.detects <= 1) detectable = detectable_rise(trials, probability, risk.power, fails);
+    if (probability - risk.detects >= 0)
+        detectable =
+            std::max(detectable, detectable_rise(trials, 1 - probability, risk.power,
+                                                 [&](std::uint64_t misses) { return fails(trials - misses); }));
     const double p = stats::binomial_two_sided_p({hits, trials}, probability);
-    return describe(judge(p, detectable_shift(trials, probability, risk, 2), risk), hits, trials, probability);
+    return describe(judge(p, detectable, risk), hits, trials, probability);
 }
 
 AssertionResult has_probability_at_least(std::uint64_t hits, std::uint64_t trials, double probability,
                                          StatisticalRisk risk) {
-    const double p = stats::binomial_lower_p({hits, trials}, probability);
-    return describe(judge(p, detectable_shift(trials, probability, risk, 1), risk), hits, trials, probability);
+    const auto p = [&](std::uint64_t count) { return stats::binomial_lower_p({count, trials}, probability); };
+    const double detectable = detectable_rise(trials, 1 - probability, risk.power,
+                                              [&](std::uint64_t misses) { return p(trials - misses) < risk.alpha; });
+    return describe(judge(p(hits), detectable, risk), hits, trials, probability);
 }
 
 AssertionResult has_probability_at_most(std::uint64_t hits, std::uint64_t trials, double probability,
                                         StatisticalRisk risk) {
-    const double p = stats::binomial_upper_p({hits, trials}, probability);
-    return describe(judge(p, detectable_shift(trials, probability, risk, 1), risk), hits, trials, probability);
+    const auto p = [&](std::uint64_t count) { return stats::binomial_upper_p({count, trials}, probability); };
+    const double detectable =
+        detectable_rise(trials, probability, risk.power, [&](std::uint64_t count) { return p(count) < risk.alpha; });
+    return describe(judge(p(hits), detectable, risk), hits, trials, probability);
 }
 
 }  // namespace ff::test

@@ -19,8 +19,8 @@ struct StatisticalRisk {
 /// Independent replicates scatter around `truth` (two-sided t test). Fails for fewer than two values or equal ones.
 testing::AssertionResult unbiased(std::span<const double> replicates, double truth, StatisticalRisk risk);
 
-/// The hit probability behind `hits` of `trials` independent trials is `probability` (exact two-sided binomial test);
-/// e.g. the coverage of an interval, the level of a test, a coordinate's share of a cell.
+/// The hit probability behind `hits` of `trials` independent trials is `probability` (exact two-sided binomial test,
+/// exact power); e.g. the coverage of an interval, the level of a test, a coordinate's share of a cell.
 testing::AssertionResult has_probability(std::uint64_t hits, std::uint64_t trials, double probability,
                                          StatisticalRisk risk);
 

@@ -81,14 +81,14 @@ std::uint64_t called_biased(const StudySpec& spec, std::uint64_t trials, std::ui
 class WholeStudies : public testing::TestWithParam<SoundCell> {};
 
 // Student's t calls five of six studies of the first cell biased at 10 trials. Risks, of each number of trials: false
-// alarm 1e-4; a rate of .47 is noticed with power .99 (nightly: .13 or, at most numbers, .22).
+// alarm 1e-4; a rate of .55 is noticed with power .99 (nightly: .14 or, at most numbers, .26).
 TEST_P(WholeStudies, SeldomCallASoundMethodBiased) {
     for (const std::uint64_t trials : {5u, 10u, 20u, 60u, 200u}) {
         const std::uint64_t studies =
             trials == 10 || trials == 60 ? test::repetitions(24, 400) : test::repetitions(0, 100);
         if (studies == 0) continue;
         const auto biased = called_biased(spec_of(GetParam()), trials, studies);
-        const double detects = studies == 24 ? 0.42 : studies == 100 ? 0.17 : 0.08;
+        const double detects = studies == 24 ? 0.5 : studies == 100 ? 0.21 : 0.085;
         EXPECT_TRUE(test::has_probability_at_most(biased, studies, 0.05, {.alpha = 1e-4, .detects = detects}))
             << trials << " trials";
         RecordProperty(fmt::format("biased_of_{}_at_{}_trials", studies, trials), std::to_string(biased));
@@ -200,7 +200,7 @@ StudySpec random_study(std::uint64_t seed) {
 }
 
 // Without an allowance for what no evaluation has met, one study of three was called biased. Risks: false alarm 1e-4; a
-// rate of .4 (nightly .1) is noticed with power .99.
+// rate of .46 (nightly .14) is noticed with power .99.
 TEST(WholeStudies, SeldomCallRandomSoundMethodsBiased) {
     const std::uint64_t wanted = test::repetitions(30, 400);
     std::uint64_t studies = 0;
@@ -224,7 +224,7 @@ TEST(WholeStudies, SeldomCallRandomSoundMethodsBiased) {
     }
     ASSERT_EQ(studies, wanted);
     EXPECT_TRUE(
-        test::has_probability_at_most(biased, studies, 0.05, {.alpha = 1e-4, .detects = studies == 30 ? 0.35 : 0.08}))
+        test::has_probability_at_most(biased, studies, 0.05, {.alpha = 1e-4, .detects = studies == 30 ? 0.41 : 0.085}))
         << "seeds" << names;
     RecordProperty(fmt::format("biased_of_{}", studies), std::to_string(biased));
 }

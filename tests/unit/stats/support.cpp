@@ -66,5 +66,17 @@ TEST(ProbabilityAssertion, FailsWithTooFewTrials) {
     EXPECT_FALSE(has_probability_at_most(95, 100, 0.95, risk));
 }
 
+// python3 -c "from scipy.stats import binom; from scipy.optimize import brentq; c = int(binom.isf(1e-6, 100, .05)) + 1;
+// print(brentq(lambda p: binom.sf(c - 1, 100, p) - .99, .05, .9) - .05)" prints 0.2365.
+TEST(ProbabilityAssertion, PromisesNoMorePowerThanItHas) {
+    const auto promises = [](double detects) { return StatisticalRisk{.alpha = 1e-6, .detects = detects}; };
+    EXPECT_TRUE(has_probability_at_most(5, 100, 0.05, promises(0.2366)));
+    EXPECT_FALSE(has_probability_at_most(5, 100, 0.05, promises(0.2364)));
+    EXPECT_TRUE(has_probability_at_least(95, 100, 0.95, promises(0.2366)));
+    EXPECT_FALSE(has_probability_at_least(95, 100, 0.95, promises(0.2364)));
+    EXPECT_FALSE(has_probability(5, 100, 0.05, promises(0.2364))) << "upwards alone";
+    EXPECT_FALSE(has_probability_at_most(3, 3, 0.05, promises(0.9))) << "no three of three are rare enough";
+}
+
 }  // namespace
 }  // namespace ff::test

@@ -105,29 +105,29 @@ RateCoverage rate_coverage(std::uint32_t runs, Distribution law, std::mt19937_64
     return count;
 }
 
-// Risks: 1e-6; coverage off by .056 is noticed with power .99.
+// Risks: 1e-6; coverage off by .068 is noticed with power .99.
 TEST(RmseRate, CoversTheTrueRateOfNormalErrors) {
     std::mt19937_64 engine(1);
     const RateCoverage count = rate_coverage(800, std::normal_distribution<double>(), engine);
-    EXPECT_TRUE(test::has_probability(count.wls, 800, 0.95, {.detects = 0.056}));
-    EXPECT_TRUE(test::has_probability(count.lack_of_fit, 800, 0.05, {.detects = 0.056}));
-    EXPECT_TRUE(test::has_probability_at_least(count.bootstrap, 800, 0.92, {.detects = 0.07}));
-    EXPECT_TRUE(test::has_probability_at_least(count.median, 800, 0.92, {.detects = 0.07}));
+    EXPECT_TRUE(test::has_probability(count.wls, 800, 0.95, {.detects = 0.068}));
+    EXPECT_TRUE(test::has_probability(count.lack_of_fit, 800, 0.05, {.detects = 0.068}));
+    EXPECT_TRUE(test::has_probability_at_least(count.bootstrap, 800, 0.92, {.detects = 0.079}));
+    EXPECT_TRUE(test::has_probability_at_least(count.median, 800, 0.92, {.detects = 0.079}));
 }
 
 // Student t(6): excess kurtosis 3, for which the weights of normal errors would cover .78.
 TEST(RmseRate, CoversTheTrueRateUnderKurtosis) {
     std::mt19937_64 engine(2);
     const RateCoverage count = rate_coverage(500, std::student_t_distribution<double>(6), engine);
-    EXPECT_TRUE(test::has_probability_at_least(count.wls, 500, 0.9, {.detects = 0.1}));
-    EXPECT_TRUE(test::has_probability_at_least(count.bootstrap, 500, 0.88, {.detects = 0.11}));
+    EXPECT_TRUE(test::has_probability_at_least(count.wls, 500, 0.9, {.detects = 0.12}));
+    EXPECT_TRUE(test::has_probability_at_least(count.bootstrap, 500, 0.88, {.detects = 0.12}));
 }
 
 // Student t(1.5): infinite variance, as the area kernel has on faces that share an edge.
 TEST(MedianRate, SurvivesInfiniteVariance) {
     std::mt19937_64 engine(3);
     const RateCoverage count = rate_coverage(500, std::student_t_distribution<double>(1.5), engine);
-    EXPECT_TRUE(test::has_probability_at_least(count.median, 500, 0.92, {.detects = 0.09}));
+    EXPECT_TRUE(test::has_probability_at_least(count.median, 500, 0.92, {.detects = 0.11}));
 }
 
 /// Four errors a replicate, that share as much as they have of their own: correlation 1/2.
@@ -157,8 +157,8 @@ TEST(RmseRate, CoversTheTrueRateWhereErrorsOfAReplicateDependOnEachOther) {
         wls += rate->interval.contains(-0.5) ? 1u : 0u;
         bootstrap += rate->bootstrap.contains(-0.5) ? 1u : 0u;
     }
-    EXPECT_TRUE(test::has_probability(wls, 600, 0.95, {.detects = 0.07}));
-    EXPECT_TRUE(test::has_probability_at_least(bootstrap, 600, 0.92, {.detects = 0.08}));
+    EXPECT_TRUE(test::has_probability(wls, 600, 0.95, {.detects = 0.081}));
+    EXPECT_TRUE(test::has_probability_at_least(bootstrap, 600, 0.92, {.detects = 0.093}));
 }
 
 TEST(RmseRate, ShowsLackOfFitForAChangingRate) {

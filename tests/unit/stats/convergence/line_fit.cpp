@@ -42,7 +42,7 @@ TEST(FitLine, SurvivesAHugeOffset) {
     EXPECT_NEAR(fit_line(far, line_y, line_variances)->slope, 1.974157303370786, 1e-12);
 }
 
-// Risks: 1e-6; coverage off by .016 is noticed with power .99.
+// Risks: 1e-6; coverage off by .017 is noticed with power .99.
 TEST(SlopeIntervals, CoverAtTheirLevelAndLackOfFitSeesACurve) {
     std::mt19937_64 engine(1);
     std::uint64_t normal = 0, false_alarms = 0, curves_found = 0;
@@ -59,8 +59,8 @@ TEST(SlopeIntervals, CoverAtTheirLevelAndLackOfFitSeesACurve) {
         false_alarms += *fit->lack_of_fit_p < 0.05 ? 1u : 0u;
         curves_found += *fit_line(line_x, curve, line_variances)->lack_of_fit_p < 0.05 ? 1u : 0u;
     }
-    EXPECT_TRUE(test::has_probability(normal, 10'000, 0.95, {.detects = 0.016}));
-    EXPECT_TRUE(test::has_probability(false_alarms, 10'000, 0.05, {.detects = 0.016}));
+    EXPECT_TRUE(test::has_probability(normal, 10'000, 0.95, {.detects = 0.017}));
+    EXPECT_TRUE(test::has_probability(false_alarms, 10'000, 0.05, {.detects = 0.017}));
     EXPECT_TRUE(test::has_probability_at_least(curves_found, 10'000, 0.9, {.detects = 0.03}));
 }
 

@@ -53,13 +53,13 @@ TEST(AndersonDarling, StaysFiniteForAnOutlierFarBeyondTheNormalTail) {
     EXPECT_GT(test->p, 0);
 }
 
-// Risks: 1e-6; a level off by .016 at .05 is noticed with power .99. (Stephens' fit itself is good to some .002.)
+// Risks: 1e-6; a level off by .017 at .05 is noticed with power .99. (Stephens' fit itself is good to some .002.)
 TEST(AndersonDarling, RejectsNormalDataAtItsLevel) {
     std::mt19937_64 engine(2);
     for (const std::size_t n : {10u, 100u}) {
         const auto rejected =
             test::count_events(10'000, [&] { return test_normality(test::normal_sample(n, engine, 7, 3))->p < 0.05; });
-        EXPECT_TRUE(test::has_probability(rejected, 10'000, 0.05, {.detects = 0.016}));
+        EXPECT_TRUE(test::has_probability(rejected, 10'000, 0.05, {.detects = 0.017}));
     }
 }
 
@@ -72,7 +72,7 @@ TEST(AndersonDarling, FindsExponentialData) {
 }
 
 // Hit counts with sigma = 4 hits and 400 trials: rejected for being discrete alone, cured by half a hit of jitter.
-// Risks: 1e-6; a level off by .05 is noticed with power .99.
+// Risks: 1e-6; a level off by .059 is noticed with power .99.
 TEST(JitterLattice, MakesCountsTestable) {
     std::mt19937_64 engine(4);
     std::uint32_t run = 0;
@@ -85,7 +85,7 @@ TEST(JitterLattice, MakesCountsTestable) {
         raw += test_normality(counts)->p < 0.05 ? 1u : 0u;
         jittered += test_normality(jitter_lattice(counts, 1.0 / 625, {.word0 = 4, .word1 = run++}))->p < 0.05 ? 1u : 0u;
     }
-    EXPECT_TRUE(test::has_probability(jittered, runs, 0.05, {.detects = 0.05}));
+    EXPECT_TRUE(test::has_probability(jittered, runs, 0.05, {.detects = 0.059}));
     EXPECT_FALSE(test::has_probability_at_most(raw, runs, 0.08, {.detects = 0.07}));
 }
 

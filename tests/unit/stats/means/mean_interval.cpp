@@ -56,11 +56,11 @@ TEST(MeanIntervalNormal, CoversFiveNormalReplicatesOnlyAtEightyEightPercent) {
     std::mt19937_64 engine(3);
     const auto hits = test::count_events(
         20'000, [&] { return mean_interval_normal(moments_of(test::normal_sample(5, engine)), 0.95)->contains(0); });
-    EXPECT_TRUE(test::has_probability(hits, 20'000, 0.8784, {.detects = 0.017}));
-    EXPECT_FALSE(test::has_probability(hits, 20'000, 0.95, {.detects = 0.017}));
+    EXPECT_TRUE(test::has_probability(hits, 20'000, 0.8784, {.detects = 0.018}));
+    EXPECT_FALSE(test::has_probability(hits, 20'000, 0.95, {.detects = 0.018}));
 }
 
-// Measured elsewhere as .82 to .84 for five replicates. Risks: 1e-6; noticed with power .99: .89 or more.
+// Measured elsewhere as .82 to .84 for five replicates. Risks: 1e-6; noticed with power .99: .90 or more.
 TEST(MeanIntervalBootstrap, UndercoversFiveReplicates) {
     std::mt19937_64 engine(4);
     std::uint32_t run = 0;
@@ -68,8 +68,8 @@ TEST(MeanIntervalBootstrap, UndercoversFiveReplicates) {
         const ResamplingPlan plan{.key = {.word0 = 4, .word1 = run++}, .replicates = 399};
         return mean_interval_bootstrap(test::normal_sample(5, engine), 0.95, plan)->contains(0);
     });
-    EXPECT_TRUE(test::has_probability(hits, 2000, 0.83, {.detects = 0.062}));
-    EXPECT_FALSE(test::has_probability(hits, 2000, 0.95, {.detects = 0.062}));
+    EXPECT_TRUE(test::has_probability(hits, 2000, 0.83, {.detects = 0.065}));
+    EXPECT_FALSE(test::has_probability(hits, 2000, 0.95, {.detects = 0.065}));
 }
 
 }  // namespace

@@ -245,13 +245,13 @@ double log_normal(std::mt19937_64& engine) {
     return std::lognormal_distribution<double>(0, 0.7)(engine);
 }
 
-// Student's t calls 48, 38, 24 and 13 % of such studies biased. Risks: false alarm 1e-6; .09 is noticed with power .99.
+// Student's t calls 48, 38, 24 and 13 % of such studies biased. Risks: false alarm 1e-6; .16 is noticed with power .99.
 TEST(MeanTest, CallsAtMostFivePercentOfSkewedStudiesBiased) {
     constexpr std::uint64_t studies = 400;
     for (const std::size_t trials : {10u, 30u, 50u, 200u}) {
         const Studies skewed{log_normal, std::exp(0.245), trials};
         EXPECT_TRUE(test::has_probability_at_most(skewed.that_differ(studies, trials), studies, 0.05,
-                                                  {.alpha = 1e-6, .detects = 0.1}))
+                                                  {.alpha = 1e-6, .detects = 0.11}))
             << trials << " trials";
     }
 }

@@ -58,7 +58,7 @@ Moments run_until_it_looks_short(const Law& law, double half_width) {
     return all;
 }
 
-// Standard normal values, half-width .5: about 4 to 100 trials. Risks: 1e-6; .93 is noticed with power .99.
+// Standard normal values, half-width .5: about 4 to 100 trials. Risks: 1e-6; .92 is noticed with power .99.
 TEST(TwoStage, KeepsItsCoverageOfNormalValues) {
     std::mt19937_64 engine(1);
     std::normal_distribution<double> normal;
@@ -70,7 +70,7 @@ TEST(TwoStage, KeepsItsCoverageOfNormalValues) {
         const auto all = run_two_stages(law, 0.5, pilot);
         covered += interval_of(mean_evidence_after(pilot, all, 0), two_stage_level).contains(0) ? 1u : 0u;
     }
-    EXPECT_TRUE(test::has_probability(covered, runs, two_stage_level, {.detects = 0.026}));
+    EXPECT_TRUE(test::has_probability(covered, runs, two_stage_level, {.detects = 0.028}));
 }
 
 // The same assertion, turned round, on a rule that is broken: it covers about .88.

@@ -113,11 +113,11 @@ TEST(VarianceIntervalChi2, FailsForLaplaceDataHoweverMany) {
     std::mt19937_64 engine(7);
     const auto hits = test::count_events(
         10'000, [&] { return variance_interval_chi2(moments_of(laplace_sample(300, engine)), 0.95)->contains(2); });
-    EXPECT_TRUE(test::has_probability(hits, 10'000, 0.785, {.detects = 0.03}));
+    EXPECT_TRUE(test::has_probability(hits, 10'000, 0.785, {.detects = 0.031}));
 }
 
 // Exponential data have an excess kurtosis of 6, which leaves a quarter of the degrees of freedom. Risks: false alarm
-// 1e-6 of coverage below .93; a coverage of .89 is noticed with power .99. Plain chi-squared would cover P(|Z| < 1.96 /
+// 1e-6 of coverage below .93; a coverage of .88 is noticed with power .99. Plain chi-squared would cover P(|Z| < 1.96 /
 // 2) = .67.
 TEST(VarianceInterval, NeedsNoResamplesForLargeSkewedSamples) {
     std::mt19937_64 engine(10);
@@ -127,7 +127,7 @@ TEST(VarianceInterval, NeedsNoResamplesForLargeSkewedSamples) {
     EXPECT_EQ(variance_interval(draw(), 0.95, variance_plan)->method, "adjusted_chi_squared");
     const auto covered =
         test::count_events(2100, [&] { return variance_interval(draw(), 0.95, variance_plan)->contains(1); });
-    EXPECT_TRUE(test::has_probability_at_least(covered, 2100, 0.93, {.detects = 0.04}));
+    EXPECT_TRUE(test::has_probability_at_least(covered, 2100, 0.93, {.detects = 0.045}));
 }
 
 // Risks: false alarm 1e-6 of coverage below .92; a coverage of .86 is noticed with power .99.

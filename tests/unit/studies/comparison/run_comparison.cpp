@@ -40,7 +40,7 @@ TEST(RunComparison, CallsSoundRunsDifferentNoMoreOftenThanStated) {
         alarms += comparison.count(Likeness::different) > 0 ? 1u : 0u;
     }
     EXPECT_TRUE(test::has_probability_at_most(alarms, static_cast<std::uint64_t>(repeats), 0.05,
-                                              {.alpha = 1e-6, .detects = test::is_nightly() ? 0.15 : 0.25}));
+                                              {.alpha = 1e-6, .detects = test::is_nightly() ? 0.13 : 0.24}));
 }
 
 // The bias of patch_centres with one origin on the whole face is many standard errors at these sizes.
