@@ -27,8 +27,8 @@ AssertionResult judge(double p, double detectable, StatisticalRisk risk) {
     return sharp_enough(detectable, risk);
 }
 
-/// The smallest rise of the probability that is noticed with this power; infinite where none is. `fails` tells from
-/// which number of hits on the assertion fails.
+/// The smallest rise of the probability that is noticed with this power; infinite where none is. `fails` says
+/// whether the assertion fails with so many hits.
 template <class Fails>
 double detectable_rise(std::uint64_t trials, double probability, double power, const Fails& fails) {
     auto fewest = static_cast<std::uint64_t>(std::ceil(static_cast<double>(trials) * probability));
