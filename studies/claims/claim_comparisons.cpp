@@ -51,22 +51,22 @@ Judgement judge_class(const ClaimEvidence& evidence, const PublishedClaim& claim
 }
 
 /// A method of the study, and its mean error on a class of pairs.
-struct Contender {
+struct Competitor {
     std::string name;
-    MeanWithError error;  ///< the intervals of all contenders of a claim hold at once: the best of many is picked
+    MeanWithError error;  ///< the intervals of all competitors of a claim hold at once: the best of many is picked
     bool deterministic = false;
 
     [[nodiscard]] bool is_exact() const { return error.mean < rounding_percent; }
 };
 
 /// Sampled and quadrature methods at the claim's size, by mean error on each class of pairs.
-struct Contenders {
-    std::vector<Contender> parallel;
-    std::vector<Contender> adjacent;
+struct Competitors {
+    std::vector<Competitor> parallel;
+    std::vector<Competitor> adjacent;
 };
 
 /// The cells of these methods.
-std::vector<std::size_t> contending_cells(const ClaimEvidence& evidence, const PublishedClaim& claim) {
+std::vector<std::size_t> competing_cells(const ClaimEvidence& evidence, const PublishedClaim& claim) {
     const Analysis& findings = evidence.findings();
     std::vector<std::size_t> result;
     for (std::size_t i = 0; i < findings.plan.cells.size(); ++i) {
@@ -81,29 +81,29 @@ std::vector<std::size_t> contending_cells(const ClaimEvidence& evidence, const P
     return result;
 }
 
-Contenders contenders(const ClaimEvidence& evidence, const PublishedClaim& claim) {
+Competitors competitors(const ClaimEvidence& evidence, const PublishedClaim& claim) {
     const StudyPlan& plan = evidence.findings().plan;
-    const auto cells = contending_cells(evidence, claim);
+    const auto cells = competing_cells(evidence, claim);
     const double level = 1 - (1 - plan.spec.level) / (2 * static_cast<double>(std::max<std::size_t>(cells.size(), 1)));
     const auto sorted = [&](const std::string& pair_class) {
         const auto pairs = evidence.pairs(pair_class);
-        std::vector<Contender> result;
+        std::vector<Competitor> result;
         for (const std::size_t cell : cells) {
             result.push_back({plan.spec.methods[plan.cells[cell].method].name,
                               mean_with_error(class_errors(evidence, cell, pairs), level),
                               plan.cells[cell].deterministic});
         }
         std::stable_sort(result.begin(), result.end(),
-                         [](const Contender& a, const Contender& b) { return a.error.mean < b.error.mean; });
+                         [](const Competitor& a, const Competitor& b) { return a.error.mean < b.error.mean; });
         return result;
     };
     return {sorted("parallel"), sorted("adjacent")};
 }
 
 /// The methods that are not shown to err more than the first, which then is not shown to be the best: "A or B".
-std::string unbeaten(const std::vector<Contender>& sorted) {
+std::string unbeaten(const std::vector<Competitor>& sorted) {
     std::vector<std::string> names;
-    for (const Contender& each : sorted) {
+    for (const Competitor& each : sorted) {
         const bool is_beaten = each.error.low() > sorted.front().error.high();
         if (!is_beaten && std::find(names.begin(), names.end(), each.name) == names.end()) names.push_back(each.name);
     }
@@ -111,13 +111,13 @@ std::string unbeaten(const std::vector<Contender>& sorted) {
 }
 
 /// The best method; all of them where only rounding is left, so that there is no winner.
-std::string best_in_words(const std::vector<Contender>& sorted) {
+std::string best_in_words(const std::vector<Competitor>& sorted) {
     if (sorted.empty()) return "none";
     if (!sorted.front().is_exact()) return fmt::format("{} ({:.2g} %)", unbeaten(sorted), sorted.front().error.mean);
     std::vector<std::string> exact;
-    for (const Contender& contender : sorted) {
-        if (contender.is_exact() && std::find(exact.begin(), exact.end(), contender.name) == exact.end())
-            exact.push_back(contender.name);
+    for (const Competitor& competitor : sorted) {
+        if (competitor.is_exact() && std::find(exact.begin(), exact.end(), competitor.name) == exact.end())
+            exact.push_back(competitor.name);
     }
     return fmt::format("{} (exact to rounding)", fmt::join(exact, ", "));
 }
@@ -129,20 +129,20 @@ struct BestOfKind {
     double high = 0;
 };
 
-std::optional<BestOfKind> best_of_kind(std::vector<Contender> sorted, bool deterministic) {
-    std::erase_if(sorted, [&](const Contender& each) { return each.deterministic != deterministic; });
+std::optional<BestOfKind> best_of_kind(std::vector<Competitor> sorted, bool deterministic) {
+    std::erase_if(sorted, [&](const Competitor& each) { return each.deterministic != deterministic; });
     if (sorted.empty()) return std::nullopt;
     const MeanWithError& first = sorted.front().error;
     BestOfKind best{fmt::format("{} ({})", unbeaten(sorted), percent(first)), first.low(), first.high()};
-    for (const Contender& contender : sorted) {
-        best.low = std::min(best.low, contender.error.low());
-        best.high = std::min(best.high, contender.error.high());
+    for (const Competitor& competitor : sorted) {
+        best.low = std::min(best.low, competitor.error.low());
+        best.high = std::min(best.high, competitor.error.high());
     }
     return best;
 }
 
 /// Whether, on a class of pairs, the best method of the kind that is advised has less error than the best of the other.
-std::optional<Judgement> judge_rule(const std::vector<Contender>& sorted, bool deterministic_advised) {
+std::optional<Judgement> judge_rule(const std::vector<Competitor>& sorted, bool deterministic_advised) {
     const auto advised = best_of_kind(sorted, deterministic_advised);
     const auto other = best_of_kind(sorted, !deterministic_advised);
     if (!advised || !other) return std::nullopt;
@@ -172,7 +172,7 @@ std::string_view right_or_wrong(ClaimVerdict verdict) {
 }
 
 /// The advice itself: as between the two methods, and as a rule about their kinds where others of the study are better.
-std::string advice_in_words(const PublishedClaim& claim, ClaimVerdict verdict, const Contenders& all, double level) {
+std::string advice_in_words(const PublishedClaim& claim, ClaimVerdict verdict, const Competitors& all, double level) {
     std::string words = fmt::format(
         "Between these two methods the advice ({} for parallel faces, {} for perpendicular ones) was {}, with {:g} % "
         "confidence.",
@@ -190,7 +190,7 @@ std::string advice_in_words(const PublishedClaim& claim, ClaimVerdict verdict, c
 }
 
 /// The comparison of the two methods, and the best one of all.
-Judgement judge_division_among(const ClaimEvidence& evidence, const PublishedClaim& claim, const Contenders& all) {
+Judgement judge_division_among(const ClaimEvidence& evidence, const PublishedClaim& claim, const Competitors& all) {
     const Judgement parallel = judge_class(evidence, claim, 0, 1, "parallel");
     const Judgement adjacent = judge_class(evidence, claim, 1, 0, "adjacent");
     return {
@@ -215,11 +215,11 @@ Judgement judge_smaller_error(const ClaimEvidence& evidence, const PublishedClai
 }
 
 Judgement judge_division(const ClaimEvidence& evidence, const PublishedClaim& claim) {
-    return judge_division_among(evidence, claim, contenders(evidence, claim));
+    return judge_division_among(evidence, claim, competitors(evidence, claim));
 }
 
 Judgement judge_advice(const ClaimEvidence& evidence, const PublishedClaim& claim) {
-    const Contenders all = contenders(evidence, claim);
+    const Competitors all = competitors(evidence, claim);
     Judgement judgement = judge_division_among(evidence, claim, all);
     if (evidence.cells(claim, 0).empty() || evidence.cells(claim, 1).empty()) return judgement;
     judgement.evidence =

@@ -31,7 +31,7 @@ struct Rung {
 using Costs = std::vector<std::optional<MeasuredCost>>;  // by cell
 
 /// Sizes of a method that differ in cost, by ascending cost.
-using Rival = std::vector<Rung>;
+using Contender = std::vector<Rung>;
 
 /// An entrant with the logarithm of its value.
 struct Placed {
@@ -60,8 +60,8 @@ std::optional<Rung> rung_of(const Analysis& findings, std::size_t index, PairCla
 }
 
 /// All sizes of each method, or of each number of patches where those have several sizes.
-std::vector<Rival> contenders(const Analysis& findings, const Costs& costs, std::size_t scene, PairClass pair_class,
-                              Equal equal) {
+std::vector<Contender> contenders(const Analysis& findings, const Costs& costs, std::size_t scene, PairClass pair_class,
+                                  Equal equal) {
     const StudyPlan& plan = findings.plan;
     std::map<std::pair<std::size_t, std::uint32_t>, std::vector<Rung>> of_patches;
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
@@ -82,12 +82,12 @@ std::vector<Rival> contenders(const Analysis& findings, const Costs& costs, std:
     for (const auto& [of, rungs] : of_patches) {
         if (rungs.size() > 1) grow_by_samples.insert(of.first);
     }
-    std::map<std::pair<std::size_t, std::uint32_t>, Rival> ladders;
+    std::map<std::pair<std::size_t, std::uint32_t>, Contender> ladders;
     for (const auto& [of, rungs] : of_patches) {
-        Rival& ladder = ladders[{of.first, grow_by_samples.contains(of.first) ? of.second : 0}];
+        Contender& ladder = ladders[{of.first, grow_by_samples.contains(of.first) ? of.second : 0}];
         ladder.insert(ladder.end(), rungs.begin(), rungs.end());
     }
-    std::vector<Rival> all;
+    std::vector<Contender> all;
     for (auto& [of, ladder] : ladders) {
         std::stable_sort(ladder.begin(), ladder.end(), [&](const Rung& a, const Rung& b) {
             return evaluations_per_trial(plan, plan.cells[a.cell]) < evaluations_per_trial(plan, plan.cells[b.cell]);
@@ -108,7 +108,7 @@ void add_parts(const stats::Measured& number, double weight, stats::Measured& su
     }
 }
 
-std::optional<Placed> at_budget(const Rival& contender, double budget) {
+std::optional<Placed> at_budget(const Contender& contender, double budget) {
     const Rung* largest = nullptr;
     for (const Rung& rung : contender) {
         if (rung.cost <= budget * (1 + 1e-9)) largest = &rung;
@@ -125,7 +125,7 @@ std::optional<Placed> at_budget(const Rival& contender, double budget) {
 }
 
 /// The cost to reach a mean square error.
-std::optional<Placed> to_error(const Rival& contender, double target) {
+std::optional<Placed> to_error(const Contender& contender, double target) {
     const Rung& last = contender.back();
     if (last.mean_square > target) {
         if (!last.repeatable) return std::nullopt;
@@ -155,17 +155,17 @@ std::optional<Placed> to_error(const Rival& contender, double target) {
 
 /// The costs, or mean square errors, that contests are held at: those of the contender with the most sizes, and one
 /// more: the least cost that every contender can keep to, or the least error that any contender reaches.
-std::vector<double> budgets(const std::vector<Rival>& all, Equal equal) {
-    const auto longest =
-        std::max_element(all.begin(), all.end(), [](const Rival& a, const Rival& b) { return a.size() < b.size(); });
+std::vector<double> budgets(const std::vector<Contender>& all, Equal equal) {
+    const auto longest = std::max_element(all.begin(), all.end(),
+                                          [](const Contender& a, const Contender& b) { return a.size() < b.size(); });
     std::vector<double> budgets;
     double for_all = equal == Equal::error ? std::numeric_limits<double>::infinity() : 0;
     if (equal == Equal::error) {
         for (const Rung& rung : *longest) budgets.push_back(rung.mean_square);
-        for (const Rival& each : all) for_all = std::min(for_all, each.back().mean_square);
+        for (const Contender& each : all) for_all = std::min(for_all, each.back().mean_square);
     } else {
         for (const Rung& rung : *longest) budgets.push_back(rung.cost);
-        for (const Rival& each : all) for_all = std::max(for_all, each.front().cost);
+        for (const Contender& each : all) for_all = std::max(for_all, each.front().cost);
     }
     budgets.push_back(for_all);
     std::sort(budgets.begin(), budgets.end());
@@ -211,11 +211,11 @@ double shared_noise(const CellReader& cells, std::size_t a, std::size_t b, PairC
 /// The contests of a scene and class with the same thing equal, whose intervals hold together.
 class Family {
   public:
-    Family(const CellReader& cells, Contest kind, const std::vector<Rival>& all) : cells_(&cells) {
+    Family(const CellReader& cells, Contest kind, const std::vector<Contender>& all) : cells_(&cells) {
         if (all.size() < 2) return;
         for (const double budget : budgets(all, kind.equal)) {
             std::vector<Placed> placed;
-            for (const Rival& contender : all) {
+            for (const Contender& contender : all) {
                 if (auto entrant =
                         kind.equal == Equal::error ? to_error(contender, budget) : at_budget(contender, budget))
                     placed.push_back(*entrant);

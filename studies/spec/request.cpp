@@ -19,11 +19,11 @@ constexpr double most_reflectance = 1 - 1e-9;
 // Errors of the exitance enter statistics by their squares and fourth powers, which have to be numbers and not 0. The
 // exitance is up to 1e9 times the largest emission, more where a system is nearly singular, and as little as the least
 // emission times the least reflectance.
-constexpr double least_emission = 1e-30;
+constexpr double least_nonzero = 1e-30;
 constexpr double most_emission = 1e30;
 
 bool within(double value, double most) {
-    return value == 0 || (value >= least_emission && value <= most);
+    return value == 0 || (value >= least_nonzero && value <= most);
 }
 
 /// What is wrong with a list of numbers; empty where it is valid.
@@ -35,7 +35,7 @@ std::string problem_with_reflectance(const std::vector<double>& reflectance) {
         if (!(value >= 0)) return fmt::format("({} is below 0). Give 0 or more.", value);
         if (!within(value, most_reflectance))
             return fmt::format("({} is so small that squares of the light would be 0). Give 0, or {} at least.", value,
-                               least_emission);
+                               least_nonzero);
     }
     return {};
 }
@@ -52,7 +52,7 @@ std::string problem_with_emission(const std::vector<double>& emission) {
             return fmt::format(
                 "({} is neither 0 nor from {} to {}: squares of the light would be no numbers, or 0). Use another "
                 "unit, in which the emission is near 1: the light is proportional to it.",
-                value, least_emission, most_emission);
+                value, least_nonzero, most_emission);
     }
     return {};
 }
