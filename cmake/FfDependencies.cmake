@@ -59,8 +59,6 @@ if(FFSTUDY_MPI)
   find_package(MPI 3 REQUIRED COMPONENTS C)
 endif()
 
-find_path(TINYOBJLOADER_INCLUDE_DIR tiny_obj_loader.h REQUIRED)  # the header alone, for double precision
-
 find_package(ZLIB REQUIRED)   # compressed arrays of VTK's XML
 
 # Meshes: STL, PLY, OFF, glTF. Its own CMake files would want the headers of zlib and Draco as well.
