@@ -1,4 +1,4 @@
-// furnace_walks WALKS SEED: the counts of the furnace in tests/validation/heat/known_flows.cpp.
+// furnace_walks WALKS SEED: the counts of the furnace in tests/support/known_flows.cpp.
 
 #include "tests/references/furnace_walks.hpp"
 

@@ -8,7 +8,7 @@
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/heat/heat.hpp"
 #include "studies/run/parallel.hpp"
-#include "tests/validation/heat/known_flows.hpp"
+#include "tests/support/known_flows.hpp"
 
 #include <algorithm>
 #include <array>

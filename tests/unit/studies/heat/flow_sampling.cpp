@@ -4,7 +4,7 @@
 #include "core/support/error.hpp"
 #include "studies/heat/flow_plan.hpp"
 #include "studies/scene_files/scene_file.hpp"
-#include "tests/validation/heat/known_flows.hpp"
+#include "tests/support/known_flows.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

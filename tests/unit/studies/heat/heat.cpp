@@ -2,7 +2,7 @@
 
 #include "core/support/error.hpp"
 #include "studies/scene_files/scene_file.hpp"
-#include "tests/validation/heat/known_flows.hpp"
+#include "tests/support/known_flows.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-#include "tests/validation/heat/known_flows.hpp"
+#include "tests/support/known_flows.hpp"
 
 #include "core/configurations/closed_forms.hpp"
 #include "studies/scene_files/scene_file.hpp"

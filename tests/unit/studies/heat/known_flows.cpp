@@ -1,4 +1,4 @@
-#include "tests/validation/heat/known_flows.hpp"
+#include "tests/support/known_flows.hpp"
 
 #include "stats/basics/binomial.hpp"
 #include "tests/references/furnace_walks.hpp"
