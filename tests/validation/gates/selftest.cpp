@@ -1,6 +1,7 @@
 #include "tests/validation/gates/selftest.hpp"
 
 #include "stats/error_rates/multiplicity.hpp"
+#include "tests/validation/gates/comparison_checks.hpp"
 #include "tests/validation/gates/coverage.hpp"
 #include "tests/validation/gates/distribution_checks.hpp"
 #include "tests/validation/gates/estimate_checks.hpp"
@@ -40,8 +41,8 @@ Selftest run_selftest(const Spec& controls, const SelftestOptions& options) {
     selftest.detection = measure_detection(controls, repetitions, options.seeds);
     selftest.calibration = measure_calibration(repetitions, options.repetitions);
     selftest.estimates = measure_estimate_checks(repetitions, options.repetitions);
-    for (const auto measure :
-         {measure_study_checks, measure_reported_checks, measure_looking_checks, measure_distribution_checks}) {
+    for (const auto measure : {measure_study_checks, measure_comparison_checks, measure_reported_checks,
+                               measure_looking_checks, measure_distribution_checks}) {
         const auto tables = measure(repetitions, options.repetitions);
         selftest.estimates.insert(selftest.estimates.end(), tables.begin(), tables.end());
     }
