@@ -39,17 +39,49 @@ Json published_view(const studies::PublishedResults& published, double alpha, co
             {"alpha", fmt::format("{:g}", 100 * alpha)}};
 }
 
-/// The tables on questions beyond bias and spread, as far as the study has them.
-Json findings_view(const studies::StudyResults& results) {
-    Json tables = Json::array();
+/// The table that the answer to a subject rests on.
+std::string_view table_of(Subject subject) {
+    switch (subject) {
+        case Subject::occlusion:
+            return "occlusion";
+        case Subject::coverage:
+            return "coverage";
+        case Subject::choice:
+            return "decisions";
+        case Subject::configurations:
+            return "configurations";
+        case Subject::rates:
+            return "convergence";
+        case Subject::variances:
+            return "reductions";
+        case Subject::light:
+            return "radiosity-exitance";
+        case Subject::publication:
+        case Subject::errors:
+            break;
+    }
+    return "methods";
+}
+
+/// Sets the table that the answer rests on, and all others, which readers open if they want to know more.
+void add_tables(const studies::StudyResults& results, Subject subject, Json& view) {
+    Json others = Json::array();
     for (const Table& table :
-         {occlusion_table(results), configurations_table(results), convergence_table(results),
+         {methods_table(results), occlusion_table(results), configurations_table(results), convergence_table(results),
           decisions_table(results, false), contests_table(results, false), reductions_table(results),
           evenness_table(results), coverage_table(results), claimed_errors_table(results, Claims::all),
           error_law_table(results), spreads_table(results)}) {
-        if (!table.rows.empty()) tables.push_back(table_view(table));
+        if (table.rows.empty()) continue;
+        if (table.id == table_of(subject))
+            view["rests_on"] = table_view(table);
+        else
+            others.push_back(table_view(table));
     }
-    return tables;
+    for (const Table& table : radiosity_tables(results)) {
+        if (table.id == table_of(subject)) view["rests_on"] = table_view(table);
+    }
+    view["has_findings"] = !others.empty();
+    view["findings"] = std::move(others);
 }
 
 /// Line drawings of the scenes; only of the first where there are many.
@@ -105,7 +137,9 @@ Json pictures_view(const std::vector<Picture>& pictures, bool drawn) {
 
 Json radiosity_view(const studies::StudyResults& results) {
     Json tables = Json::array();
-    for (const Table& table : radiosity_tables(results)) tables.push_back(table_view(table));
+    for (const Table& table : radiosity_tables(results)) {
+        if (table.id != table_of(Subject::light)) tables.push_back(table_view(table));
+    }
     return {{"lines", texts_view(radiosity_in_brief(results))}, {"tables", std::move(tables)}};
 }
 
@@ -186,9 +220,9 @@ bool leave_out(PagePictures& page, std::size_t bytes) {
     const auto bytes_of = [](const Picture& picture) {
         return picture.values.size() + 2 * picture.description.size() + 2 * picture.title.size() + markup;
     };
-    const auto leave = [&](const auto& is_left, bool open) {
+    const auto leave = [&](const auto& is_left, bool compared) {
         for (auto group = page.groups.rbegin(); group != page.groups.rend() && saved < bytes; ++group) {
-            if (group->open != open) continue;
+            if (group->compared != compared) continue;
             for (const Picture& picture : group->pictures) {
                 if (is_left(picture)) saved += bytes_of(picture);
             }
@@ -228,10 +262,13 @@ void add_pictures(const PagePictures& page, const Templates& templates, Json& vi
     view["lead"] = page.lead ? picture_view(*page.lead, drawn) : Json();
     view["pictured"] = !page.pictures.empty() || !page.groups.empty();
     view["pictures"] = pictures_view(page.pictures, drawn);
+    std::vector<std::string> titles;
+    for (const Picture& picture : page.pictures) titles.push_back(picture.title);
+    view["all_pictures"] =
+        titles.empty() ? Json() : Json(fmt::format("All methods together: {}", fmt::join(titles, " ")));
     view["groups"] = Json::array();
     for (const PictureGroup& group : page.groups) {
-        view["groups"].push_back(
-            {{"title", group.title}, {"open", group.open}, {"pictures", pictures_view(group.pictures, drawn)}});
+        view["groups"].push_back({{"title", group.title}, {"pictures", pictures_view(group.pictures, drawn)}});
     }
     if (!drawn) return;
     view["runtime"] = templates.text("vega.js");
@@ -253,9 +290,7 @@ std::string html_report(const studies::StudyResults& results, const Templates& t
     view["has_brief"] = !view["brief"].empty();
     view["radiosity"] = results.radiosity ? radiosity_view(results) : Json();
     view["scenes"] = scenes_view(results.findings.plan);
-    view["methods"] = table_view(methods_table(results));
-    view["findings"] = findings_view(results);
-    view["has_findings"] = !view["findings"].empty();
+    add_tables(results, top.subject, view);
     view["pairs"] = pairs_view(results);
     view["pairs_left_out"] = Json();
     view["again"] = reproduction_view(results);

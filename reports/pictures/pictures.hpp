@@ -37,7 +37,7 @@ struct Picture {
 /// Pictures that belong together.
 struct PictureGroup {
     std::string title;
-    bool open = false;  ///< whether they are shown initially
+    bool compared = false;  ///< whether the answer compares the method: such groups come first
     std::vector<Picture> pictures;
 };
 
@@ -63,7 +63,7 @@ std::vector<Picture> occlusion_pictures(const studies::StudyResults& results, co
 /// How often claimed errors hold; empty where no error is claimed but that of rays taken as random, and that holds.
 std::optional<Picture> claims_picture(const studies::StudyResults& results);
 
-/// All groups of a report; those of the methods that the verdict compares are open.
+/// All groups of a report; those of the methods that the verdict compares come first.
 std::vector<PictureGroup> picture_groups(const studies::StudyResults& results);
 
 /// Exitance errors, spectral radius, residuals, exitance; empty where the study has no [radiosity].

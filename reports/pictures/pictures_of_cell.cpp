@@ -247,7 +247,7 @@ std::vector<PictureGroup> picture_groups(const studies::StudyResults& results) {
                            false, pictures_of_scene(results, scene)};
         if (!group.pictures.empty()) groups.push_back(std::move(group));
     }
-    std::stable_partition(groups.begin(), groups.end(), [](const PictureGroup& group) { return group.open; });
+    std::stable_partition(groups.begin(), groups.end(), [](const PictureGroup& group) { return group.compared; });
     if (auto light = radiosity_pictures(results)) groups.insert(groups.begin(), std::move(*light));
     if (auto claims = claims_picture(results)) groups.push_back({"Claimed errors", false, {std::move(*claims)}});
     return groups;

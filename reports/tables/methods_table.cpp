@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace ff::reports {
 namespace {
 
@@ -45,32 +47,36 @@ Table methods_table(const studies::StudyResults& results) {
         "methods",
         "Methods and sizes",
         fmt::format(
-            "RMSE: of one run against the exact form factors, over trials and the pairs of a class; ± "
+            "Sizes are patches per face × evaluations of each. RMSE: of one run against the exact form factors, over "
+            "trials and the pairs of a class; ± "
             "half the width of its {:g} % interval, or [its ends] where that is over half the RMSE (the rule for "
             "means, over trials). Σ r.e.: sum over faces of "
             "100 |row sum − 1|, mean and range of 95 % of single runs. Bias: all distinct pairs "
             "together (allowing for skewness, Holm over pairs, Šidák over methods and sizes, {:g} % over the whole "
-            "study); in parentheses what is detected with power {:g}.",
+            "study); in brackets the bias that would be detected with power {:g}. A deterministic method has no "
+            "other error than its bias.",
             100 * plan.spec.level, 100 * (1 - plan.spec.level), plan.spec.power),
-        columns({"method", "size (patches per face)", "bias"}),
+        columns({"method and size"}),
         {},
         plan.warnings};
     std::vector<PairClass> classes{PairClass::parallel, PairClass::adjacent};
     if (others) classes.push_back(PairClass::other);
-    const bool margin = plan.spec.equivalence_margin.has_value();
-    if (margin) table.columns.push_back({"equivalence", false, "", true});
+    // Where space is short, one class is shown: adjacent pairs, or those of any other scene.
     for (const PairClass each : classes)
-        table.columns.push_back({std::string(name(each)), true, "RMSE of a run", true});
+        table.columns.push_back({fmt::format("RMSE, {} pairs", name(each)), true, "", each != classes.back()});
+    table.columns.push_back({"bias (would detect)"});
+    const bool margin = plan.spec.equivalence_margin.has_value();
+    if (margin) table.columns.push_back({margin_title(plan.spec), false, "", true});
     table.columns.push_back({"Σ r.e. (%)", true, "", true});
     table.columns.push_back({"trials", true, "", true});
     const auto hidden = cells_in_between(results);
     for (const studies::CellAnalysis& found : results.findings.cells) {
         if (hidden.contains(found.cell)) continue;
         const studies::Cell& cell = plan.cells[found.cell];
-        std::vector<TableCell> row{
-            method_label(plan, cell), size_label(plan, cell), {bias_in_words(found), bias_mark(found)}};
-        if (margin) row.push_back({equivalence_in_words(found), equivalence_mark(found.equivalence)});
+        std::vector<TableCell> row{cell_label(plan, cell)};
         for (const PairClass each : classes) row.push_back(rmse_text(found, each));
+        row.push_back({bias_in_words(found), bias_mark(found)});
+        if (margin) row.push_back({equivalence_in_words(found), equivalence_mark(found.equivalence)});
         row.push_back(sum_error_text(found));
         row.push_back(std::to_string(found.trials));
         table.rows.push_back(std::move(row));
@@ -79,7 +85,7 @@ Table methods_table(const studies::StudyResults& results) {
         table.remarks.push_back(
             fmt::format("{} sizes in the middle of ladders are not listed; summary.csv has them.", hidden.size()));
     }
-    return table;
+    return without_idle_columns(std::move(table));
 }
 
 Table pairs_table(const studies::StudyResults& results, std::size_t cell_index) {

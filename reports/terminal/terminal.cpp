@@ -6,6 +6,7 @@
 #include "reports/text/table.hpp"
 #include "reports/text/text_plot.hpp"
 #include "reports/text/text_table.hpp"
+#include "reports/words/answer.hpp"
 #include "reports/words/findings/coverage_words.hpp"
 #include "reports/words/findings/occlusion_words.hpp"
 #include "reports/words/findings/radiosity_words.hpp"
@@ -165,8 +166,8 @@ Table summary_table(const studies::StudyResults& results, const std::set<std::si
                  {"trials", true},
                  {"parallel", true, "RMSE of a run"},
                  {"adjacent", true, "RMSE of a run"},
-                 {"bias, all pairs together"}}};
-    if (equivalence) table.columns.push_back({"equivalence"});
+                 {"bias (would detect)"}}};
+    if (equivalence) table.columns.push_back({margin_title(plan.spec)});
     for (const studies::CellAnalysis& found : results.findings.cells) {
         if (hidden.contains(found.cell)) continue;
         std::vector<TableCell> row{scene_and_method(plan, found),          size_label(plan, plan.cells[found.cell]),
@@ -239,7 +240,8 @@ std::string terminal_summary(const studies::StudyResults& results, const TextSty
         if (!results.published->tables.figures.empty())
             out += audit_summary(results.published->tables, results.published->audit);
     }
-    return out;
+    // Last, since it is what a terminal then shows.
+    return out + fmt::format("\n{}\n", answer(results).text);
 }
 
 }  // namespace ff::reports

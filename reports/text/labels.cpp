@@ -66,7 +66,7 @@ std::string of_scene(const studies::StudyPlan& plan, std::size_t scene) {
     return plan.scenes.size() == 1 ? std::string() : fmt::format(" of {}", plan.scenes[scene].name);
 }
 
-std::string listed(std::vector<std::string> names, std::size_t most) {
+std::string listed(std::vector<std::string> names, std::size_t most, std::string_view conjunction) {
     for (std::string& name : names) {
         if (name.find(',') != std::string::npos) name = fmt::format("“{}”", name);
     }
@@ -75,11 +75,11 @@ std::string listed(std::vector<std::string> names, std::size_t most) {
     if (names.size() > most) {
         const std::size_t more = names.size() - most + 1;
         names.resize(most - 1);
-        return fmt::format("{} and {} more", fmt::join(names, ", "), more);
+        return fmt::format("{} {} {} more", fmt::join(names, ", "), conjunction, more);
     }
     const std::string last = names.back();
     names.pop_back();
-    return fmt::format("{} and {}", fmt::join(names, ", "), last);
+    return fmt::format("{} {} {}", fmt::join(names, ", "), conjunction, last);
 }
 
 std::string kind_of_pairs(PairClass pair_class, bool may_be_occluded) {

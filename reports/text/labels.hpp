@@ -33,7 +33,7 @@ std::string method_label(const studies::StudyPlan& plan, const studies::Cell& ce
 std::string of_scene(const studies::StudyPlan& plan, std::size_t scene);
 
 /// "a, b and c"; with more than `most` names, the first ones and the number of others. Names with commas are quoted.
-std::string listed(std::vector<std::string> names, std::size_t most = 4);
+std::string listed(std::vector<std::string> names, std::size_t most = 4, std::string_view conjunction = "and");
 
 /// "adjacent pairs", "possibly occluded adjacent pairs"
 std::string kind_of_pairs(PairClass pair_class, bool may_be_occluded);

@@ -22,7 +22,7 @@ Table without_idle_columns(Table table) {
     for (std::size_t column = table.columns.size(); --column > 0;) {
         const bool idle = std::all_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
             const std::string& text = row[column].text;
-            return text.empty() || text == "–" || text == "none known";
+            return text.empty() || text == "–" || text == "0" || text == "none known";
         });
         if (!idle) continue;
         const auto at = static_cast<std::ptrdiff_t>(column);

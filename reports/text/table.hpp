@@ -49,7 +49,7 @@ struct Table {
     std::vector<std::string> remarks = {};  ///< sentences below it
 };
 
-/// The table without columns that say nothing: all cells are empty, a dash, or "none known". The first column stays,
+/// The table without columns that say nothing: all cells are empty, a dash, 0, or "none known". The first column stays,
 /// and so do all columns of a table without rows.
 Table without_idle_columns(Table table);
 

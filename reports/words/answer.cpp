@@ -2,6 +2,7 @@
 
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
+#include "reports/words/findings/advice.hpp"
 #include "reports/words/findings/coverage_words.hpp"
 #include "reports/words/findings/occlusion_words.hpp"
 #include "reports/words/findings/radiosity_words.hpp"
@@ -25,31 +26,21 @@ namespace {
 using studies::ConfigurationEstimate;
 using studies::StudyResults;
 
-/// A clause for each ranking; rankings of rates or errors of a scene share one where it would be the same.
-std::vector<std::string> clauses_of(const studies::StudyPlan& plan, const std::vector<Ranking>& rankings) {
-    std::vector<std::string> clauses;
-    for (auto first = rankings.begin(); first != rankings.end();) {
-        std::vector<std::string> classes{std::string(name(first->pair_class))};
-        auto next = std::next(first);
-        for (; next != rankings.end() && next->scene == first->scene && next->said == first->said; ++next) {
-            if (next->random_cell) break;
-            classes.emplace_back(name(next->pair_class));
-        }
-        clauses.push_back(on_pairs(plan, first->scene, listed(std::move(classes))) + first->said);
-        first = next;
-    }
-    return clauses;
+/// With a capital and a full stop.
+std::string as_sentence(std::string clause) {
+    if (clause.front() >= 'a' && clause.front() <= 'z') clause.front() = static_cast<char>(clause.front() - 'a' + 'A');
+    return clause + ".";
 }
 
 std::string bars(const StudyResults& results) {
     return fmt::format("Bars: {:g} % intervals.", 100 * results.findings.plan.spec.level);
 }
 
-/// What methods are ranked by, with letters for groups.
-MainFinding of_rankings(const StudyResults& results, std::vector<Ranking> rankings, MainFinding found,
-                        std::string_view ticks) {
+/// What methods are ranked by, with letters for groups. The clauses say what to take; details, who comes first.
+MainFinding of_rankings(const StudyResults& results, std::vector<Ranking> rankings, const Comparative& comparative,
+                        MainFinding found, std::string_view ticks) {
     const studies::StudyPlan& plan = results.findings.plan;
-    found.clauses = clauses_of(plan, rankings);
+    found.clauses = advice(plan, rankings, comparative);
     found.rankings = std::move(rankings);
     found.note = fmt::format("{}{} {}", bars(results), ticks,
                              letters_in_words(plan.spec.level, found.rankings.size() > 1 ? " in all blocks" : ""));
@@ -65,8 +56,10 @@ std::optional<MainFinding> on_light(const StudyResults& results) {
 std::optional<MainFinding> on_occlusion(const StudyResults& results) {
     const std::string clause = occlusion_clause(results);
     if (clause.empty()) return std::nullopt;
-    return MainFinding{
-        Subject::occlusion, "Which method has the smallest error, with and without occlusion?", {clause}};
+    return MainFinding{.subject = Subject::occlusion,
+                       .question = "Which method has the smallest error, with and without occlusion?",
+                       .clauses = {occlusion_advice(results)},
+                       .details = {as_sentence(clause)}};
 }
 
 std::optional<MainFinding> on_coverage(const StudyResults& results) {
@@ -74,7 +67,7 @@ std::optional<MainFinding> on_coverage(const StudyResults& results) {
     return MainFinding{
         .subject = Subject::coverage,
         .question = "How often do intervals contain the exact value?",
-        .clauses = coverage_clauses(results),
+        .clauses = {coverage_advice(results)},
         .rankings = least_coverage(results),
         .title = "Least coverage of each rule with R replicates.",
         .axis = "share of intervals that contain the exact value",
@@ -84,12 +77,15 @@ std::optional<MainFinding> on_coverage(const StudyResults& results) {
 }
 
 MainFinding on_errors(const StudyResults& results) {
-    return of_rankings(results, rank_compared_errors(results),
-                       {.question = "Which method has the smallest error?",
-                        .title = "Error of each method, smallest first.",
-                        .axis = "RMSE of a run",
-                        .logarithmic = true},
-                       "");
+    const studies::StudyPlan& plan = results.findings.plan;
+    MainFinding found = of_rankings(results, rank_compared_errors(results), errs_less,
+                                    {.question = "Which method has the smallest error?",
+                                     .title = "Error of each method, smallest first.",
+                                     .axis = "RMSE of a run",
+                                     .logarithmic = true},
+                                    "");
+    for (const std::string& clause : clauses_of(plan, found.rankings)) found.details.push_back(as_sentence(clause));
+    return found;
 }
 
 std::optional<MainFinding> on_publication(const StudyResults& results) {
@@ -97,6 +93,8 @@ std::optional<MainFinding> on_publication(const StudyResults& results) {
     MainFinding found = on_errors(results);
     found.subject = Subject::publication;
     found.question = "Which method is more accurate, and do the published figures hold?";
+    if (std::string text = premise(results); !text.empty())
+        found.details.insert(found.details.begin(), std::move(text));
     return found;
 }
 
@@ -212,7 +210,7 @@ std::optional<MainFinding> on_configurations(const StudyResults& results) {
 std::optional<MainFinding> on_rates(const StudyResults& results) {
     auto rankings = rank_rates(results);
     if (rankings.empty()) return std::nullopt;
-    return of_rankings(results, std::move(rankings),
+    return of_rankings(results, std::move(rankings), converges_faster,
                        {.subject = Subject::rates,
                         .question = "How fast does the error fall with the number of evaluations?",
                         .title = "Convergence rates, steepest first.",
@@ -222,7 +220,7 @@ std::optional<MainFinding> on_rates(const StudyResults& results) {
 
 std::optional<MainFinding> on_variances(const StudyResults& results) {
     if (results.reductions.empty()) return std::nullopt;
-    return of_rankings(results, rank_variances(results),
+    return of_rankings(results, rank_variances(results), varies_less,
                        {.subject = Subject::variances,
                         .question = "How much less variance than random points?",
                         .title = "Variance reduction, largest first.",
@@ -231,28 +229,26 @@ std::optional<MainFinding> on_variances(const StudyResults& results) {
                        " Grey ticks: no reduction.");
 }
 
-using studies::StudyResults;
+/// An answer is read in one go.
+constexpr std::size_t most_words = 35;
 
-constexpr std::size_t most_clauses = 4;
-constexpr std::size_t most_bytes = 400;  // of several clauses: half the screen of a phone
+std::size_t words_of(std::string_view text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), ' ')) + 1;
+}
 
-/// Clauses as one sentence, or as sentences where they have parts themselves.
-std::string sentence(std::vector<std::string> clauses) {
-    if (clauses.empty()) return {};
+/// As many of these clauses as have so many words together, at least one, as one sentence.
+std::string sentence(std::vector<std::string> clauses, std::size_t words) {
     const std::size_t all = clauses.size();
-    std::size_t bytes = clauses.front().size();
     std::size_t taken = 1;
-    while (taken < std::min(all, most_clauses) && bytes + clauses[taken].size() <= most_bytes)
-        bytes += clauses[taken++].size();
-    clauses.resize(taken);
-    if (all > taken) clauses.back() += fmt::format(" ({} more below)", all - taken);
-    const bool compound = std::any_of(clauses.begin(), clauses.end(),
-                                      [](const std::string& clause) { return clause.find(';') != std::string::npos; });
-    for (std::string& clause : clauses) {
-        if ((compound || &clause == &clauses.front()) && clause.front() >= 'a' && clause.front() <= 'z')
-            clause.front() = static_cast<char>(clause.front() - 'a' + 'A');
+    for (std::size_t used = words_of(clauses.front()); taken < all; ++taken) {
+        used += words_of(clauses[taken]);
+        const std::size_t remark = taken + 1 < all ? 3 : 0;  // "(2 more below)"
+        if (used + remark > words) break;
     }
-    return fmt::format("{}.", fmt::join(clauses, compound ? ". " : "; "));
+    clauses.resize(taken);
+    std::string text = fmt::format("{}", fmt::join(clauses, "; "));
+    if (all > taken) text += fmt::format(" ({} more below)", all - taken);
+    return as_sentence(std::move(text));
 }
 
 }  // namespace
@@ -269,21 +265,16 @@ Answer answer(const StudyResults& results) {
     Answer out{{}, {}, main_finding(results)};
     if (!results.findings.plan.spec.title.ends_with('?')) out.question = out.finding.question;
     std::vector<std::string> sentences;
-    if (results.published) {
-        if (std::string text = premise(results); !text.empty()) sentences.push_back(std::move(text));
-        if (results.published->tables.figures.empty() && !results.published->claims.empty()) {
-            sentences.push_back(claims_sentence(*results.published));
-            if (results.published->claims.size() == 1) sentences.push_back(results.published->claims.front().evidence);
-        }
+    if (results.published && results.published->tables.figures.empty() && !results.published->claims.empty())
+        sentences.push_back(claims_sentence(*results.published));
+    std::string in_print;
+    if (results.published && results.published->audit.figures > 0) in_print = audit_verdict(results.published->audit);
+    if (!out.finding.clauses.empty()) {
+        const std::string& beside = sentences.empty() ? in_print : sentences.front();
+        sentences.push_back(
+            sentence(out.finding.clauses, most_words - std::min(most_words, beside.empty() ? 0 : words_of(beside))));
     }
-    if (std::string text = sentence(out.finding.clauses); !text.empty()) sentences.push_back(std::move(text));
-    if (results.published) {
-        const studies::audit::Report& audit = results.published->audit;
-        if (audit.figures > 0)
-            sentences.push_back(fmt::format("The publication's {} printed figures contain {} contradiction{}.",
-                                            audit.figures, audit.contradictions(),
-                                            audit.contradictions() == 1 ? "" : "s"));
-    }
+    if (!in_print.empty()) sentences.push_back(std::move(in_print));
     if (sentences.empty()) sentences.emplace_back("No method of this study can be compared with exact values.");
     out.text = fmt::format("{}", fmt::join(sentences, " "));
     return out;

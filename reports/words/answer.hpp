@@ -25,19 +25,20 @@ enum class Subject {
 struct MainFinding {
     Subject subject = Subject::errors;
     std::string question = {};
-    std::vector<std::string> clauses = {};
-    std::vector<Ranking> rankings = {};  ///< empty where the subject has pictures of its own
-    std::string title = {};              ///< title of the rankings; the next members are theirs, too
-    std::string axis = {};               ///< what the values are
-    std::string note = {};               ///< what else is drawn
-    bool logarithmic = false;            ///< whether the axis is logarithmic
+    std::vector<std::string> clauses = {};  ///< the answer, in a few words each
+    std::vector<std::string> details = {};  ///< sentences that say more, where nothing else in the reports does
+    std::vector<Ranking> rankings = {};     ///< empty where the subject has pictures of its own
+    std::string title = {};                 ///< title of the rankings; the next members are theirs, too
+    std::string axis = {};                  ///< what the values are
+    std::string note = {};                  ///< what else is drawn
+    bool logarithmic = false;               ///< whether the axis is logarithmic
 };
 MainFinding main_finding(const studies::StudyResults& results);
 
 /// Question and answer for a reader with a minute.
 struct Answer {
     std::string question;  ///< empty where the study's title asks it
-    std::string text;      ///< a sentence or a few; begins with a capital, and ends with a full stop
+    std::string text;      ///< a sentence or two of at most 35 words, if one clause has so few
     MainFinding finding;   ///< what the text says
 };
 Answer answer(const studies::StudyResults& results);

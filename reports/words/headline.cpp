@@ -3,6 +3,7 @@
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/answer.hpp"
+#include "reports/words/findings/occlusion_words.hpp"
 #include "reports/words/findings/radiosity_words.hpp"
 #include "reports/words/findings/verdicts.hpp"
 #include "reports/words/published_words.hpp"
@@ -97,6 +98,7 @@ std::vector<std::string> wrong_in_print(const studies::PublishedResults& publish
 Headline headline(const studies::StudyResults& results) {
     Headline out;
     const Answer said = answer(results);
+    out.subject = said.finding.subject;
     out.question = said.question;
     out.verdict = said.text;
     if (const auto light = light_in_brief(results)) {
@@ -107,6 +109,13 @@ Headline headline(const studies::StudyResults& results) {
     for (const Rivalry& rivalry : results.rivals) {
         if (!results.occlusion.empty() || out.numbers.size() >= 4) break;  // the answer compares them, over all scenes
         out.numbers.push_back(contest_number(results.findings, rivalry));
+    }
+    if (const auto slowest = slowest_where_occluded(results)) {
+        out.numbers.push_back({fmt::format("{}: {} of {}", slowest->method, slowest->slow, slowest->pairs),
+                               "partly occluded pairs slower than random points",
+                               fmt::format("There its error falls more slowly than N^{:g}: what is in between harms it "
+                                           "more than any other method.",
+                                           slope_of_random)});
     }
     if (KeyNumber bias = bias_number(results.findings); !bias.value.empty()) out.numbers.push_back(std::move(bias));
     if (results.published && results.published->audit.figures > 0) {

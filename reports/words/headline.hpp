@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reports/words/answer.hpp"
 #include "studies/results/results.hpp"
 
 #include <string>
@@ -16,6 +17,7 @@ struct KeyNumber {
 
 /// The result of a study for a reader with a minute.
 struct Headline {
+    Subject subject = Subject::errors;
     std::string question;  ///< empty where the title asks it
     std::string verdict;   ///< the answer
     std::vector<KeyNumber> numbers;

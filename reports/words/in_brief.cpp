@@ -2,6 +2,7 @@
 
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
+#include "reports/words/answer.hpp"
 #include "reports/words/findings/coverage_words.hpp"
 #include "reports/words/findings/occlusion_words.hpp"
 #include "reports/words/findings/slope_words.hpp"
@@ -182,7 +183,7 @@ std::vector<std::string> reductions_in_brief(const studies::StudyResults& result
 }
 
 std::vector<std::string> results_in_brief(const studies::StudyResults& results) {
-    std::vector<std::string> all;
+    std::vector<std::string> all = main_finding(results).details;
     for (const auto& lines : {occlusion_in_brief(results), heavy_tails_in_brief(results), slopes_in_brief(results),
                               reductions_in_brief(results), coverage_in_brief(results), until_in_brief(results),
                               error_laws_in_brief(results)})

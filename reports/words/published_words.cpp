@@ -183,15 +183,23 @@ std::string claims_sentence(const studies::PublishedResults& published) {
     };
     if (published.claims.size() == 1)
         return fmt::format("The publication's claim is {}.", studies::name(published.claims.front().verdict));
-    const auto supported = count(studies::ClaimVerdict::supported);
-    const auto printed_only = count(studies::ClaimVerdict::as_printed_only);
-    return fmt::format(
-        "Of the publication's {} claims {} {} supported, {}{} refuted, {} inconclusive.", published.claims.size(),
-        supported, supported == 1 ? "is" : "are",
-        printed_only == 0
-            ? std::string()
-            : fmt::format("{} only by printed figures that the methods as described do not give, ", printed_only),
-        count(studies::ClaimVerdict::refuted), count(studies::ClaimVerdict::inconclusive));
+    const auto all = static_cast<std::ptrdiff_t>(published.claims.size());
+    if (count(studies::ClaimVerdict::supported) == all)
+        return fmt::format("The publication's {} claims are supported.", all);
+    std::vector<std::string> parts;
+    for (const auto& [verdict, words] : {std::pair{studies::ClaimVerdict::supported, "supported"},
+                                         std::pair{studies::ClaimVerdict::as_printed_only,
+                                                   "only by printed figures that the methods as described do not give"},
+                                         std::pair{studies::ClaimVerdict::refuted, "refuted"},
+                                         std::pair{studies::ClaimVerdict::inconclusive, "inconclusive"}}) {
+        const auto number = count(verdict);
+        if (number > 0 && parts.empty()) {
+            parts.push_back(fmt::format("{} {} {}", number, number == 1 ? "is" : "are", words));
+        } else if (number > 0) {
+            parts.push_back(fmt::format("{} {}", number, words));
+        }
+    }
+    return fmt::format("Of the publication's {} claims {}.", all, fmt::join(parts, ", "));
 }
 
 std::vector<std::string> published_in_brief(const studies::PublishedResults& published, double alpha) {

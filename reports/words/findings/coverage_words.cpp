@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace ff::reports {
 namespace {
@@ -39,12 +40,13 @@ struct Range {
     }
 };
 
-/// The rows of a rule, of one number of replicates or of all.
+/// The rows of a rule, of one number of replicates or of all from a fewest one on.
 Range range_of(const studies::StudyResults& results, IntervalRule rule, std::optional<std::uint64_t> replicates,
-               bool finite = true) {
+               std::uint64_t fewest = 0, bool finite = true) {
     Range range;
     for (const Coverage& row : results.coverage) {
         if (row.interval_method != rule || (replicates && row.replicates != *replicates)) continue;
+        if (row.replicates < fewest) continue;
         if (results.findings.cells[row.cell].has_infinite_variance(row.pair_class) == finite) continue;
         range.rows.push_back(&row);
         range.short_of += row.short_of_nominal ? 1 : 0;
@@ -56,24 +58,33 @@ Range range_of(const studies::StudyResults& results, IntervalRule rule, std::opt
 
 }  // namespace
 
-std::vector<std::string> coverage_clauses(const studies::StudyResults& results) {
-    std::vector<std::string> clauses;
-    bool has_few = false;
-    for (const IntervalRule rule : all_rules) {
-        const Range range = range_of(results, rule, {});
-        has_few |= !range.rows.empty() && range.tells_nothing();
-        if (range.rows.empty() || range.tells_nothing()) continue;
-        clauses.push_back(fmt::format("{} {:.1f} to {:.1f} % (significantly short in {} of {} rows)",
-                                      rule_in_words(rule), 100 * range.rows.front()->share(),
-                                      100 * range.rows.back()->share(), range.short_of, range.rows.size()));
+std::string coverage_advice(const studies::StudyResults& results) {
+    const std::string level = fmt::format("{:g} %", 100 * results.findings.plan.spec.level);
+    auto numbers = results.findings.plan.spec.coverage;
+    std::sort(numbers.begin(), numbers.end());
+    for (const std::uint64_t fewest : numbers) {
+        std::optional<IntervalRule> kept;
+        std::optional<std::pair<double, IntervalRule>> worst;  // least coverage
+        Range range;
+        for (const IntervalRule rule : all_rules) {
+            const Range here = range_of(results, rule, {}, fewest);
+            if (here.rows.empty() || here.tells_nothing()) continue;
+            const double least = here.rows.front()->share();
+            if (here.short_of > 0 && (!worst || least < worst->first)) worst.emplace(least, rule);
+            if (here.short_of > 0 || kept) continue;
+            kept = rule;
+            range = here;
+        }
+        if (!kept) continue;
+        std::string text = fmt::format(
+            "from {} replicates on take {}: its {} intervals contain the exact value in {:.1f} to {:.1f} % of runs, "
+            "nowhere significantly too seldom",
+            fewest, rule_in_words(*kept), level, 100 * range.rows.front()->share(), 100 * range.rows.back()->share());
+        if (worst) text += fmt::format("; {} in as few as {:.1f} %", rule_in_words(worst->second), 100 * worst->first);
+        return text;
     }
-    if (!clauses.empty()) {
-        clauses.front() = fmt::format("intervals that promise {:g} % contain the exact value in: {}",
-                                      100 * results.findings.plan.spec.level, clauses.front());
-    } else if (has_few) {
-        clauses.emplace_back("too few trials tell how often intervals contain the exact value");
-    }
-    return clauses;
+    return fmt::format(
+        "no rule is known to keep its {} with these replicates: trials are too few, or coverage falls short", level);
 }
 
 std::vector<Ranking> least_coverage(const studies::StudyResults& results) {
@@ -122,7 +133,7 @@ std::vector<std::string> coverage_in_brief(const studies::StudyResults& results)
                                         range.in_words(), results.findings.plan.spec.level));
         }
     }
-    const Range without = range_of(results, IntervalRule::student_t, {}, false);
+    const Range without = range_of(results, IntervalRule::student_t, {}, 0, false);
     if (!without.rows.empty())
         lines.push_back(fmt::format("Student's t where the variance is infinite: {}.", without.in_words()));
     return lines;

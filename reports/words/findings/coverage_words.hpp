@@ -16,8 +16,9 @@ std::string_view rule_in_words(studies::IntervalRule rule);
 /// that have a variance, and how often it falls significantly short of the promised level; a line about those without.
 std::vector<std::string> coverage_in_brief(const studies::StudyResults& results);
 
-/// A clause for each rule: whether it keeps its promised level, by the rows whose variance is finite.
-std::vector<std::string> coverage_clauses(const studies::StudyResults& results);
+/// The rule that needs the fewest replicates for intervals that nowhere fall significantly short of the promised level,
+/// by the rows whose variance is finite, and the worst of the others.
+std::string coverage_advice(const studies::StudyResults& results);
 
 /// The least coverage of each rule and number of replicates, of the same rows.
 std::vector<Ranking> least_coverage(const studies::StudyResults& results);

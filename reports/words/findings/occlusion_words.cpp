@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <utility>
 
 namespace ff::reports {
 namespace {
@@ -14,9 +14,6 @@ namespace {
 using studies::HiddenPair;
 using studies::OcclusionSeries;
 using studies::StudyResults;
-
-/// The slope of random points, which no other set of points should fall short of.
-constexpr double slope_of_random = -0.5;
 
 bool is_open(const HiddenPair& scene) {
     return scene.hidden == 0;
@@ -89,6 +86,19 @@ std::string winner(const StudyResults& results, const HiddenPair& scene) {
     return scene.decided ? name : fmt::format("{} (not shown)", name);
 }
 
+/// The methods that are shown to have the smallest error in some scene, with the number of scenes, the most first.
+std::vector<std::pair<std::string, int>> most_wins(const StudyResults& results,
+                                                   const std::vector<const HiddenPair*>& scenes) {
+    std::vector<std::pair<std::string, int>> wins;
+    for (const studies::Method& method : results.findings.plan.spec.methods) wins.emplace_back(method.name, 0);
+    for (const HiddenPair* scene : scenes) {
+        if (scene->least && scene->decided) ++wins[*scene->least].second;
+    }
+    std::erase_if(wins, [](const auto& win) { return win.second == 0; });
+    std::stable_sort(wins.begin(), wins.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+    return wins;
+}
+
 }  // namespace
 
 std::string series_in_words(const StudyResults& results, const OcclusionSeries& series) {
@@ -117,24 +127,48 @@ std::vector<std::string> occlusion_in_brief(const StudyResults& results) {
     return lines;
 }
 
+std::optional<Slowed> slowest_where_occluded(const StudyResults& results) {
+    std::optional<Slowed> slowest;
+    bool alone = true;
+    const auto hidden = scenes_where(results, is_partly_hidden);
+    for (std::size_t method = 0; method < results.findings.plan.spec.methods.size(); ++method) {
+        const Slopes slopes = slopes_of(hidden, method);
+        if (slopes.flat == 0 || (slowest && slopes.flat < slowest->slow)) continue;
+        alone = !slowest || slopes.flat > slowest->slow;
+        slowest = {results.findings.plan.spec.methods[method].name, slopes.flat, slopes.values.size()};
+    }
+    return alone ? slowest : std::nullopt;
+}
+
+std::string occlusion_advice(const StudyResults& results) {
+    const auto hidden = scenes_where(results, is_partly_hidden);
+    const auto open = scenes_where(results, is_open);
+    const auto best = most_wins(results, hidden);
+    const auto best_open = most_wins(results, open);
+    std::string text = best.empty()
+                           ? fmt::format("where something is in between, no method is shown to err least on any of {}",
+                                         counted(hidden.size(), "pair"))
+                           : fmt::format(
+                                 "take {} where something is in between: at about equal evaluations it errs least on "
+                                 "{} of {}",
+                                 best.front().first, best.front().second, counted(hidden.size(), "pair"));
+    if (best.size() > 1) text += fmt::format(", {} on {}", best[1].first, best[1].second);
+    if (!best_open.empty()) text += fmt::format("; where nothing is, take {}", best_open.front().first);
+    return text;
+}
+
 std::string occlusion_clause(const StudyResults& results) {
-    const auto& plan = results.findings.plan;
     const auto tell = [&](const std::vector<const HiddenPair*>& scenes, const char* pair) {
-        std::map<std::size_t, int> wins;  // by method
-        int undecided = 0;
-        for (const HiddenPair* scene : scenes) {
-            if (scene->least && scene->decided)
-                ++wins[*scene->least];
-            else
-                ++undecided;
-        }
+        auto undecided = static_cast<int>(scenes.size());
         std::vector<std::string> parts;
         const auto on = [&](int count) {
             if (scenes.size() == 1) return fmt::format("the only {}", pair);
             return fmt::format("{} of {}{}", count, scenes.size(), parts.empty() ? fmt::format(" {}s", pair) : "");
         };
-        for (const auto& [method, count] : wins)
-            parts.push_back(fmt::format("{} on {}", plan.spec.methods[method].name, on(count)));
+        for (const auto& [method, count] : most_wins(results, scenes)) {
+            parts.push_back(fmt::format("{} on {}", method, on(count)));
+            undecided -= count;
+        }
         if (undecided > 0) parts.push_back(fmt::format("none for certain on {}", on(undecided)));
         return listed(std::move(parts));
     };

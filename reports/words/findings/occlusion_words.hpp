@@ -2,6 +2,8 @@
 
 #include "studies/results/results.hpp"
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,21 @@ std::vector<std::string> occlusion_in_brief(const studies::StudyResults& results
 
 /// The same in one clause: in how many scenes each method has the smallest error.
 std::string occlusion_clause(const studies::StudyResults& results);
+
+/// Which method to take where something is in between, and where nothing is. @pre occlusion_clause is not empty
+std::string occlusion_advice(const studies::StudyResults& results);
+
+/// The slope of random points, which no other set of points should fall short of.
+inline constexpr double slope_of_random = -0.5;
+
+/// A method whose error falls more slowly than that of random points where something is in between.
+struct Slowed {
+    std::string method;
+    int slow = 0;           ///< partly occluded pairs where it does
+    std::size_t pairs = 0;  ///< partly occluded pairs with a slope
+};
+/// The method of which that is true most often; empty where it is true of none, or of several equally often.
+std::optional<Slowed> slowest_where_occluded(const studies::StudyResults& results);
 
 /// The method with the smallest error in one series, by occluded fraction.
 std::string series_in_words(const studies::StudyResults& results, const studies::OcclusionSeries& series);

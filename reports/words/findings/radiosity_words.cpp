@@ -60,9 +60,15 @@ std::string light_text(const studies::StudyPlan& plan, const Consequences& found
     return fmt::format("at {} the exitance error is {}", where, light_error_text(at));
 }
 
-/// The setting that a reader is told about besides the last: the middle one.
+/// The setting that a reader is told about besides the last: the last that is no brighter than white walls, or else the
+/// middle one.
 std::size_t told_setting(const studies::StudyPlan& plan) {
-    return plan.spec.radiosity->reflectance.size() / 2;
+    constexpr double of_white_walls = 0.9;
+    const auto& settings = plan.spec.radiosity->reflectance;
+    for (std::size_t i = settings.size(); i-- > 0;) {
+        if (std::all_of(settings[i].begin(), settings[i].end(), [](double r) { return r <= of_white_walls; })) return i;
+    }
+    return settings.size() / 2;
 }
 
 /// The compared cells of all scenes.

@@ -71,7 +71,7 @@ std::string inconclusive_in_words(const studies::CellAnalysis& found) {
 
 std::string bias_in_words(const studies::CellAnalysis& found) {
     if (found.trials == 0) return "no trials yet";
-    if (!found.bias) return "deterministic: the error is the bias";
+    if (!found.bias) return "deterministic";
     switch (found.bias_finding) {
         case studies::BiasFinding::untestable:
             return fmt::format("no test: {}", has_exact_value(found) ? why_untested(found) : "no exact value");
@@ -86,27 +86,30 @@ std::string bias_in_words(const studies::CellAnalysis& found) {
                                                              : fmt::format(" on {} of {} pairs, {} on the others",
                                                                            found.bias->pairs - found.bias->untestable,
                                                                            found.bias->pairs, why_untested(found));
-    return fmt::format("none found{} (would detect {})", untested, brief(found.bias->minimum_detectable_bias, 2));
+    return fmt::format("none found{} ({})", untested, brief(found.bias->minimum_detectable_bias, 2));
 }
 
 std::string equivalence_in_words(const studies::CellAnalysis& found) {
     if (!found.bias || !found.bias->margin) return "";
-    const std::string margin = brief(*found.bias->margin, 2);
     const std::string reach = std::isfinite(found.bias->shown_below)
-                                  ? fmt::format("only ±{}", brief(found.bias->shown_below, 2))
+                                  ? fmt::format("±{}", brief(found.bias->shown_below, 2))
                                   : "the trials are too few, or too skewed, for an interval";
     switch (found.equivalence) {
         case studies::EquivalenceFinding::shown:
-            return fmt::format("bias within ±{} shown (even ±{})", margin, brief(found.bias->shown_below, 2));
+            return fmt::format("shown ({})", reach);
         case studies::EquivalenceFinding::refuted:
-            return fmt::format("bias within ±{} refuted", margin);
+            return "refuted";
         case studies::EquivalenceFinding::inconclusive:
             return found.bias->untestable > 0 ? fmt::format("inconclusive: {}", why_untested(found))
-                                              : fmt::format("bias within ±{} not shown ({})", margin, reach);
+                                              : fmt::format("not shown ({})", reach);
         case studies::EquivalenceFinding::not_asked:
             break;
     }
     return "";
+}
+
+std::string margin_title(const studies::StudySpec& spec) {
+    return fmt::format("bias within ±{}", brief(*spec.equivalence_margin, 2));
 }
 
 Mark bias_mark(const studies::CellAnalysis& found) {

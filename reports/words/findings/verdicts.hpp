@@ -11,11 +11,13 @@
 
 namespace ff::reports {
 
-/// The family-wise bias test in words, e.g. "none found (would detect 0.00019)".
+/// The family-wise bias test in words, in brackets the bias that would be detected: "none found (0.00019)".
 std::string bias_in_words(const studies::CellAnalysis& found);
 
-/// The equivalence test in words, e.g. "bias within ±0.0002 shown (even ±0.00014)".
+/// The equivalence test in words, in brackets the margin that would be shown: "shown (±0.00014)".
 std::string equivalence_in_words(const studies::CellAnalysis& found);
+/// The title of a column of these: "bias within ±0.0002". @pre the study has an equivalence margin
+std::string margin_title(const studies::StudySpec& spec);
 
 /// The mark for either, wherever it appears: bad where a bias is found, open where nothing is shown.
 Mark bias_mark(const studies::CellAnalysis& found);

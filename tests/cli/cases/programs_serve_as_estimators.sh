@@ -60,7 +60,7 @@ for format in scene obj vs3 toml; do
     study "exact_$format" "command:$python fixed.py exact {$format} 0 0"
     ffstudy run "exact_$format.toml"
     expect_status 0
-    expect_stdout 'deterministic: the error is the bias'
+    expect_stdout '  deterministic'
 done
 # View3D, or what prints as it does: a line, areas, rows, emissivities.
 printf '%s\n' '#!/usr/bin/python3 -IS' 'import sys' \

@@ -98,7 +98,7 @@ expect_stderr "text.toml:8:11: runs command:$python mine.py"
 # Fixed points are deterministic; quotes hold words together.
 ffstudy convergence --sampler "command:awk 'BEGIN { for (; i < {n}; ++i) print i / {n} \" 0.5 0.25 0.75\" }'" --samples 64 --trials 20 --out d
 expect_status 0
-expect_stdout "deterministic: the error is the bias"
+expect_stdout "  deterministic"
 ffstudy check-sampler "command:$python mine.py text {n} {d} {seed} {trial}" --n 1 --trials 2
 expect_status 4
 expect_stdout "same bits for the same seed"

@@ -31,7 +31,7 @@ TEST(TerminalSummary, ColoursStatementsLikeTheReport) {
     }
     const std::string text = terminal_summary(results, {Colour::ansi});
     EXPECT_THAT(text, HasSubstr("\033[32mnone found"));
-    EXPECT_THAT(text, HasSubstr("\033[33mbias within"));
+    EXPECT_THAT(text, HasSubstr("\033[33mnot shown"));
 }
 
 TEST(TerminalSummary, HighlightsALostRay) {

@@ -1,0 +1,147 @@
+#include "reports/words/findings/advice.hpp"
+
+#include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace ff::reports {
+namespace {
+
+/// The methods that are among the best in all rankings, in the order of the first. Empty where some ranking shows no
+/// method to be better than another.
+std::vector<std::string> leaders_of_all(const std::vector<Ranking>& rankings) {
+    std::vector<std::string> common = rankings.front().leaders;
+    for (const Ranking& ranking : rankings) {
+        std::erase_if(common, [&](const std::string& label) {
+            return std::find(ranking.leaders.begin(), ranking.leaders.end(), label) == ranking.leaders.end();
+        });
+    }
+    return common;
+}
+
+/// "-0.72 to -0.58", the hull of the intervals of these methods; empty where one has no value.
+std::string values_of(const std::vector<Ranking>& rankings, const std::vector<std::string>& labels) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const Ranking& ranking : rankings) {
+        for (const RankedMethod& method : ranking.methods) {
+            if (std::find(labels.begin(), labels.end(), method.label) == labels.end()) continue;
+            if (!method.value) return {};
+            low = std::min(low, method.interval ? method.interval->low : *method.value);
+            high = std::max(high, method.interval ? method.interval->high : *method.value);
+        }
+    }
+    return fmt::format("{} to {}", brief(low), brief(high));
+}
+
+/// "on parallel and adjacent pairs", "on pairs of all scenes"
+std::string where(const studies::StudyPlan& plan, const std::vector<Ranking>& rankings) {
+    std::vector<std::string> classes;
+    for (const Ranking& ranking : rankings) {
+        if (ranking.scene != rankings.front().scene) return "on pairs of all scenes";
+        std::string one(name(ranking.pair_class));
+        if (std::find(classes.begin(), classes.end(), one) == classes.end()) classes.push_back(std::move(one));
+    }
+    return on_pairs(plan, rankings.front().scene, listed(std::move(classes)));
+}
+
+std::string nothing_better(const std::vector<Ranking>& rankings, const std::vector<std::string>& labels,
+                           const Comparative& comparative) {
+    const std::string values = values_of(rankings, labels);
+    return fmt::format("nothing is shown to {}{}", comparative.better,
+                       values.empty()
+                           ? std::string()
+                           : fmt::format(" ({}{}{})", comparative.before_values, values, comparative.after_values));
+}
+
+/// The only method that is best in all rankings, with its margin in each.
+std::vector<std::string> take_one(const studies::StudyPlan& plan, std::vector<Ranking> rankings,
+                                  const std::string& leader) {
+    for (Ranking& ranking : rankings) {
+        const bool follows = &ranking != &rankings.front() && !ranking.again.empty() && !rankings.front().again.empty();
+        ranking.brief = follows ? " " + ranking.again : " it " + ranking.margin;
+    }
+    auto clauses = clauses_of(plan, rankings, &Ranking::brief);
+    clauses.front() = fmt::format("take {}{}: {}", listed({leader}), rankings.front().at, clauses.front());
+    return clauses;
+}
+
+/// A clause for each ranking, since no method is best in all.
+std::vector<std::string> each_by_itself(const studies::StudyPlan& plan, std::vector<Ranking> rankings,
+                                        const Comparative& comparative) {
+    for (Ranking& ranking : rankings) {
+        if (ranking.leaders.size() == 1) {
+            ranking.brief = fmt::format("{} {} {}", ranking.at, listed(ranking.leaders), ranking.margin);
+        } else if (ranking.leaders.empty()) {
+            ranking.brief =
+                fmt::format("{} no method is shown to {} than {}", ranking.at, comparative.better, comparative.than);
+        } else {
+            ranking.brief = fmt::format("{} take {}: {}", ranking.at, listed(ranking.leaders, 4, "or"),
+                                        nothing_better({ranking}, ranking.leaders, comparative));
+        }
+    }
+    // What is exact is no news: it comes last.
+    std::stable_partition(rankings.begin(), rankings.end(),
+                          [](const Ranking& ranking) { return ranking.methods.front().value.has_value(); });
+    return clauses_of(plan, rankings, &Ranking::brief);
+}
+
+/// The advice on rankings in which the same is equal.
+std::vector<std::string> advice_at(const studies::StudyPlan& plan, const std::vector<Ranking>& rankings,
+                                   const Comparative& comparative) {
+    const auto is_alone = [](const Ranking& ranking) { return ranking.methods.size() == 1; };
+    if (std::any_of(rankings.begin(), rankings.end(), is_alone)) return each_by_itself(plan, rankings, comparative);
+    const auto shows_none = [](const Ranking& ranking) { return ranking.leaders.empty(); };
+    if (std::all_of(rankings.begin(), rankings.end(), shows_none)) {
+        return {fmt::format("{}{} no method is shown to {} than {}", where(plan, rankings), rankings.front().at,
+                            comparative.better, comparative.than)};
+    }
+    const auto common = leaders_of_all(rankings);
+    if (common.empty()) return each_by_itself(plan, rankings, comparative);
+    const auto has_one = [](const Ranking& ranking) { return ranking.leaders.size() == 1; };
+    if (std::all_of(rankings.begin(), rankings.end(), has_one)) return take_one(plan, rankings, common.front());
+    return {fmt::format("take {}{}: {} {}", listed(common, 4, "or"), rankings.front().at, where(plan, rankings),
+                        nothing_better(rankings, common, comparative))};
+}
+
+}  // namespace
+
+std::vector<std::string> advice(const studies::StudyPlan& plan, const std::vector<Ranking>& rankings,
+                                const Comparative& comparative) {
+    std::vector<std::vector<Ranking>> groups;
+    for (const Ranking& ranking : rankings) {
+        auto group =
+            std::find_if(groups.begin(), groups.end(), [&](const auto& one) { return one.front().at == ranking.at; });
+        if (group == groups.end()) group = groups.insert(groups.end(), std::vector<Ranking>());
+        group->push_back(ranking);
+    }
+    std::vector<std::string> clauses;
+    for (const auto& group : groups) {
+        for (std::string& clause : advice_at(plan, group, comparative)) clauses.push_back(std::move(clause));
+    }
+    return clauses;
+}
+
+std::vector<std::string> clauses_of(const studies::StudyPlan& plan, const std::vector<Ranking>& rankings,
+                                    std::string Ranking::*said) {
+    std::vector<std::string> clauses;
+    for (auto first = rankings.begin(); first != rankings.end();) {
+        std::vector<std::string> classes{std::string(name(first->pair_class))};
+        auto next = std::next(first);
+        for (; next != rankings.end() && next->scene == first->scene && (*next).*said == (*first).*said; ++next) {
+            if (next->random_cell) break;
+            classes.emplace_back(name(next->pair_class));
+        }
+        clauses.push_back(on_pairs(plan, first->scene, listed(std::move(classes))) + (*first).*said);
+        first = next;
+    }
+    return clauses;
+}
+
+}  // namespace ff::reports

@@ -1,0 +1,112 @@
+#include "reports/words/findings/advice.hpp"
+
+#include "reports/words/findings/coverage_words.hpp"
+#include "tests/support/studies.hpp"
+#include "tests/unit/reports/small_study.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ff::reports {
+namespace {
+
+using testing::ElementsAre;
+
+const studies::StudyPlan& plan() {
+    return test::published_results().findings.plan;
+}
+
+RankedMethod method(std::string label, double value) {
+    RankedMethod made;
+    made.label = std::move(label);
+    made.value = value;
+    made.interval = stats::Interval{value - 1, value + 1, 0.95, "", 0};
+    return made;
+}
+
+/// A ranking of a, b and c, with values 2, 3 and 9.
+Ranking ranking(PairClass pair_class, std::vector<std::string> leaders) {
+    return {.methods = {method("a", 2), method("b", 3), method("c", 9)},
+            .pair_class = pair_class,
+            .leaders = std::move(leaders)};
+}
+
+TEST(Advice, NamesTheMethodsThatAreAmongTheBestOnAllPairs) {
+    const std::vector<Ranking> rankings{ranking(PairClass::parallel, {"a", "b"}),
+                                        ranking(PairClass::adjacent, {"b", "a", "c"})};
+    EXPECT_THAT(advice(plan(), rankings, errs_less),
+                ElementsAre("take a or b: on parallel and adjacent pairs nothing is shown to err less (RMSE 1 to 4)"));
+}
+
+TEST(Advice, NamesTheMarginsOfASingleBestMethod) {
+    Ranking first = ranking(PairClass::parallel, {"a"});
+    first.margin = "errs 2 times less than b (1 to 3)";
+    first.again = "2 times (1 to 3)";
+    Ranking second = ranking(PairClass::adjacent, {"a"});
+    second.again = "4 times (3 to 5)";
+    EXPECT_THAT(advice(plan(), {first, second}, errs_less),
+                ElementsAre("take a: on parallel pairs it errs 2 times less than b (1 to 3)",
+                            "on adjacent pairs 4 times (3 to 5)"));
+}
+
+TEST(Advice, SpeaksOfEachClassWhereNoMethodIsBestOnAll) {
+    Ranking exact = ranking(PairClass::parallel, {"a"});
+    exact.methods.front().value.reset();
+    exact.margin = "is exact";
+    EXPECT_THAT(advice(plan(), {exact, ranking(PairClass::adjacent, {"b", "c"})}, errs_less),
+                ElementsAre("on adjacent pairs take b or c: nothing is shown to err less (RMSE 2 to 10)",
+                            "on parallel pairs a is exact"));
+}
+
+TEST(Advice, NamesNoMethodWhereNothingIsShown) {
+    EXPECT_THAT(advice(plan(), {ranking(PairClass::parallel, {}), ranking(PairClass::adjacent, {})}, errs_less),
+                ElementsAre("on parallel and adjacent pairs no method is shown to err less than another"));
+    EXPECT_THAT(
+        advice(plan(), {ranking(PairClass::parallel, {}), ranking(PairClass::adjacent, {"a", "b"})}, varies_less),
+        ElementsAre("on parallel pairs no method is shown to vary less than random points",
+                    "on adjacent pairs take a or b: nothing is shown to vary less (1 to 4 times less than random "
+                    "points)"));
+}
+
+TEST(Advice, KeepsSizesApart) {
+    Ranking few = ranking(PairClass::parallel, {"a", "b"});
+    few.at = " with 64 rays";
+    Ranking many = ranking(PairClass::parallel, {"b", "c"});
+    many.at = " with 625 rays";
+    EXPECT_THAT(
+        advice(plan(), {few, many}, converges_faster),
+        ElementsAre("take a or b with 64 rays: on parallel pairs nothing is shown to converge faster (slopes 1 to 4)",
+                    "take b or c with 625 rays: on parallel pairs nothing is shown to converge faster (slopes 2 to "
+                    "10)"));
+}
+
+studies::Coverage row(studies::IntervalRule rule, std::uint64_t replicates, std::uint64_t covered, bool is_short) {
+    studies::Coverage row;
+    row.interval_method = rule;
+    row.replicates = replicates;
+    row.intervals = 100;
+    row.covered = covered;
+    row.short_of_nominal = is_short;
+    return row;
+}
+
+TEST(CoverageAdvice, TakesTheRuleThatIsNowhereShortWithTheFewestReplicates) {
+    using studies::IntervalRule;
+    studies::StudyResults results = test::published_results();
+    results.findings.plan.spec.coverage = {5, 10};
+    results.coverage = {row(IntervalRule::student_t, 5, 88, true), row(IntervalRule::student_t, 10, 94, false),
+                        row(IntervalRule::normal, 5, 71, true), row(IntervalRule::normal, 10, 85, true)};
+    EXPECT_EQ(coverage_advice(results),
+              "from 10 replicates on take Student's t: its 95 % intervals contain the exact value in 94.0 to 94.0 % of "
+              "runs, nowhere significantly too seldom; normal quantiles in as few as 85.0 %");
+    results.coverage[1].short_of_nominal = true;
+    EXPECT_THAT(coverage_advice(results), testing::StartsWith("no rule is known to keep its 95 %"));
+}
+
+}  // namespace
+}  // namespace ff::reports
