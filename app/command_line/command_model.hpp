@@ -12,7 +12,7 @@ struct OptionModel {
     std::vector<std::string> names;  ///< "-q", "--quiet"; of an argument, "STUDY"
     std::string name;                ///< the name that messages use: "--quiet"
     std::string type;                ///< "SAMPLER" of "--sampler SAMPLER"; of an argument without one, its name
-    std::string notes;               ///< what --help says after the names: " DIR Needs: --out"
+    std::string notes;               ///< what --help says after the names: " DIR"
     std::string usage;               ///< an argument as a synopsis shows it: "[STUDY]"
     std::string description;
     char delimiter = '\0';  ///< between its values; '\0': none

@@ -53,8 +53,12 @@ void name_type_of_argument(CLI::Option& option) {
     if (option.get_positional() && option.get_type_name() == "TEXT") option.type_name("");
 }
 
-void add_command(CLI::App& app, const CommandDefinition& definition) {
+/// Whether options are to know which others they need or exclude: to parse, they have to. Help says it in words.
+enum class Relations { known, in_words };
+
+void add_command(CLI::App& app, const CommandDefinition& definition, Relations relations) {
     CLI::App* command = app.add_subcommand(definition.name, definition.summary)->group(definition.group);
+    if (!definition.former_name.empty()) command->alias(definition.former_name);
     if (definition.unparsed != nullptr) {
         command->set_help_flag();
         command->prefix_command();
@@ -67,6 +71,13 @@ void add_command(CLI::App& app, const CommandDefinition& definition) {
     }
     // Only now do all options exist that others name.
     for (std::size_t i = 0; i < options.size(); ++i) {
+        if (relations == Relations::in_words) {
+            const auto& needs = definition.options[i].rules.needs;
+            if (!needs.empty())
+                options[i]->description(
+                    fmt::format("{} (with {})", options[i]->get_description(), fmt::join(needs, " and ")));
+            continue;
+        }
         for (const std::string& name : definition.options[i].rules.needs) options[i]->needs(command->get_option(name));
         for (const std::string& name : definition.options[i].rules.excludes)
             options[i]->excludes(command->get_option(name));
@@ -74,12 +85,12 @@ void add_command(CLI::App& app, const CommandDefinition& definition) {
 }
 
 /// The definitions in the form of the library; what is parsed goes to their targets.
-std::unique_ptr<CLI::App> make_app(const ProgramDefinition& program) {
+std::unique_ptr<CLI::App> make_app(const ProgramDefinition& program, Relations relations) {
     auto app = std::make_unique<CLI::App>(program.summary, program_name);
     app->set_version_flag("-V,--version", program.version);
     app->require_subcommand(0, 1);  // an unknown option is named first; that a command is missing, later
     app->footer(program.footer);
-    for (const CommandDefinition& command : program.commands) add_command(*app, command);
+    for (const CommandDefinition& command : program.commands) add_command(*app, command, relations);
     app->get_formatter()->label("SUBCOMMAND", "COMMAND");
     app->get_formatter()->label("Positionals", "Arguments");
     app->get_formatter()->label("REQUIRED", "");
@@ -109,21 +120,32 @@ std::vector<const CLI::Option*> in_order(const std::set<CLI::Option*>& options, 
     return ordered;
 }
 
-/// What --help says after the names of an option: " DIR Needs: --out"
-std::string notes_of(const CLI::Option& option, const CLI::App& command, const CLI::Formatter& formatter) {
-    std::string notes = formatter.make_option_opts(&option);
-    notes.resize(std::min({notes.size(), notes.find(" Needs:"), notes.find(" Excludes:")}));
-    const auto add = [&](std::string_view relation, const std::set<CLI::Option*>& others) {
-        if (!others.empty()) notes += fmt::format(" {}:", relation);
-        for (const CLI::Option* other : in_order(others, command)) notes += " " + other->get_name();
-    };
-    add("Needs", option.get_needs());
-    add("Excludes", option.get_excludes());
-    return notes;
+/// What a reader is told of an option.
+struct OptionWords {
+    std::string value;  ///< " DIR", " N ..."; empty for a flag and for arguments
+    std::string description;
+};
+
+OptionWords words_of(const CLI::Option& option) {
+    OptionWords words{"", option.get_description()};
+    const std::string type = option.get_type_name();  // "DIR", "UINT:POSITIVE", "AXIS:{x,y,z}"
+    const std::size_t colon = std::min(type.find(':'), type.size());
+    const std::string name = type.substr(0, colon);
+    const bool is_flag = option.get_expected_max() == 0;
+    if (!is_flag && !name.empty()) words.value = " " + (name == "UINT" ? "N" : name == "FLOAT" ? "X" : name);
+    if (option.get_expected_max() >= CLI::detail::expected_max_vector_size) words.value += " ...";
+    const std::string rule = type.substr(colon);
+    const bool is_choice = rule.starts_with(":{");
+    const std::string choices = is_choice ? rule.substr(2, rule.size() - 3) : std::string();
+    if (is_choice && words.description.find(choices.substr(choices.rfind(',') + 1)) == std::string::npos)
+        words.description += fmt::format(" ({})", fmt::join(CLI::detail::split(choices, ','), ", "));
+    if (const std::string value = option.get_default_str(); !value.empty() && !is_flag)
+        words.description += fmt::format(" (default: {})", value);
+    return words;
 }
 
-/// Sets the notes of options, and breaks descriptions into lines so that help fits into this many columns. For help
-/// only: both stay in the options.
+/// Sets the words of options, broken into lines so that help fits into this many columns. For help only: they stay in
+/// the options.
 void lay_out_help(CLI::App& app, std::size_t columns) {
     const auto& formatter = dynamic_cast<const CLI::Formatter&>(*app.get_formatter());
     const std::size_t before = formatter.get_column_width();
@@ -131,9 +153,9 @@ void lay_out_help(CLI::App& app, std::size_t columns) {
     const std::size_t width = std::max(columns, before + least) - before;
     const auto lay_out = [&](CLI::App& command) {
         for (CLI::Option* option : command.get_options()) {
-            const std::string notes = notes_of(*option, command, formatter);
-            if (notes.starts_with(' ')) option->option_text(notes.substr(1));
-            option->description(broken_into_lines(option->get_description(), width));
+            const OptionWords words = words_of(*option);
+            if (!words.value.empty()) option->option_text(words.value.substr(1));
+            option->description(broken_into_lines(words.description, width));
         }
         command.footer(broken_into_lines(command.get_footer(), columns));
     };
@@ -144,16 +166,16 @@ void lay_out_help(CLI::App& app, std::size_t columns) {
     }
 }
 
-OptionModel model_of(const CLI::Option& option, const CLI::App& command) {
+OptionModel model_of(const CLI::Option& option) {
     const CLI::Formatter formatter;
     OptionModel model;
     for (const std::string& name : option.get_snames()) model.names.push_back("-" + name);
     for (const std::string& name : option.get_lnames()) model.names.push_back("--" + name);
     if (option.get_positional()) model.names.push_back(option.get_name(true));
     model.name = option.get_name();
-    model.notes = notes_of(option, command, formatter);
+    model.notes = words_of(option).value;
     model.usage = formatter.make_option_usage(&option);
-    model.description = option.get_description();
+    model.description = words_of(option).description;
     model.delimiter = option.get_delimiter();
     model.is_argument = option.get_positional();
     model.type = model.is_argument && option.get_type_name().empty() ? model.name : option.get_type_name();
@@ -165,7 +187,7 @@ OptionModel model_of(const CLI::Option& option, const CLI::App& command) {
 CommandModel model_of(const CLI::App& command) {
     CommandModel model{command.get_name(), command.get_description(), {}, {}};
     for (const CLI::Option* option : command.get_options())
-        (option->get_positional() ? model.arguments : model.options).push_back(model_of(*option, command));
+        (option->get_positional() ? model.arguments : model.options).push_back(model_of(*option));
     return model;
 }
 
@@ -223,43 +245,38 @@ const CommandDefinition& find_definition(const ProgramDefinition& program, const
 }  // namespace
 
 ParsedCommandLine parse(const ProgramDefinition& program, std::span<char* const> arguments, std::size_t columns) {
-    const auto app = make_app(program);
+    const auto app = make_app(program, Relations::known);
     try {
         app->parse(static_cast<int>(arguments.size()), arguments.data());
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() != 0) refuse(*app, error);
-        std::ostringstream text;
-        lay_out_help(*app, columns);
-        app->exit(error, text);  // --help, --version
-        return {nullptr, text.str()};
+        if (dynamic_cast<const CLI::CallForHelp*>(&error) == nullptr) return {nullptr, app->version() + "\n"};
+        const CLI::App& asked = given_command(*app);
+        return {nullptr, help_of(program, &asked == app.get() ? std::string() : asked.get_name(), columns)};
     }
     const CLI::App& given = given_command(*app);
-    for (const CLI::Option* option : given.get_options())
-        refuse_unmeant_values(model_of(*option, given), option->results());
-    if (&given == app.get()) {
-        lay_out_help(*app, columns);
-        return {nullptr, app->help()};
-    }
+    for (const CLI::Option* option : given.get_options()) refuse_unmeant_values(model_of(*option), option->results());
+    if (&given == app.get()) return {nullptr, help_of(program, "", columns)};
     const CommandDefinition& command = find_definition(program, given.get_name());
     if (command.unparsed != nullptr) *command.unparsed = given.remaining();
     return {&command, {}};
 }
 
 std::string help_of(const ProgramDefinition& program, const std::string& command, std::size_t columns) {
-    const auto app = make_app(program);
+    const auto app = make_app(program, Relations::in_words);
     lay_out_help(*app, columns);
     // Not app->help(), which is that of the command that was given.
     if (command.empty()) return app->get_formatter()->make_help(app.get(), app->get_name(), CLI::AppFormatMode::Normal);
+    const auto meant = app->get_subcommands([&](const CLI::App* each) { return each->check_name(command); });
+    if (!meant.empty()) return meant.front()->help(app->get_name());
     const auto names = command_names(model_of_program(*app));
-    if (std::find(names.begin(), names.end(), command) != names.end())
-        return app->get_subcommand(command)->help(app->get_name());
     const std::vector<std::string_view> known(names.begin(), names.end());
     throw UserError(
         fmt::format("unknown command '{}'. {}See 'ffstudy --help'.", command, did_you_mean(command, known)));
 }
 
 ProgramModel model_of(const ProgramDefinition& program) {
-    return model_of_program(*make_app(program));
+    return model_of_program(*make_app(program, Relations::in_words));
 }
 
 }  // namespace ff::app

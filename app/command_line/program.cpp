@@ -4,6 +4,7 @@
 #include "app/process/guard.hpp"
 #include "app/process/signals.hpp"
 #include "app/terminal/messages.hpp"
+#include "app/terminal/output.hpp"
 #include "app/terminal/terminal_style.hpp"
 
 #include "app/build_info.hpp"
@@ -17,7 +18,7 @@ namespace {
 ExitCode parse_and_act(const ProgramDefinition& program, std::span<char* const> arguments) {
     const ParsedCommandLine parsed = parse(program, arguments, width_of(STDOUT_FILENO));
     if (parsed.command != nullptr) return parsed.command->action();
-    fmt::print("{}", parsed.text);
+    print_folded(parsed.text);
     return ExitCode::passed;
 }
 
@@ -31,7 +32,7 @@ void add_verbosity(CommandDefinition& command, bool& quiet, const std::string& q
 void add_help(ProgramDefinition& program) {
     const auto [command, name] = program.command<std::string>(
         everyday, "help", "Show this help, or that of a command", [&program](const std::string& asked) {
-            fmt::print("{}", help_of(program, asked, width_of(STDOUT_FILENO)));
+            print_folded(help_of(program, asked, width_of(STDOUT_FILENO)));
             return ExitCode::passed;
         });
     command.option("COMMAND", name, "A command");

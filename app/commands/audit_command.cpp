@@ -2,6 +2,7 @@
 
 #include "app/command_line/program.hpp"
 #include "app/folders/output_folder.hpp"
+#include "app/terminal/output.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/markdown/audit_markdown.hpp"
@@ -31,7 +32,7 @@ ExitCode audit(const AuditCommand& command) {
     }();
     if (!command.out.empty())
         OutputFolder(command.out, "audit").write("audit.md", reports::audit_markdown(tables, found));
-    if (!command.quiet) fmt::print("{}", reports::audit_summary(tables, found));
+    if (!command.quiet) print_folded(reports::audit_summary(tables, found));
     return found.contradictions() > 0 ? ExitCode::failed : ExitCode::passed;
 }
 

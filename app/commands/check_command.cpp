@@ -8,6 +8,7 @@
 #include "app/commands/gates/gate_commands.hpp"
 #include "app/commands/gates/look_ledger.hpp"
 #include "app/folders/output_folder.hpp"
+#include "app/terminal/output.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/csv/gates_csv.hpp"
@@ -116,7 +117,7 @@ ExitCode show_plan(Check& check) {
     auto plans = prepare(check, check.command.save_baseline.empty() ? GatePurpose::check : GatePurpose::save_baseline);
     const auto files = plan_file(check.command, check.spec);
     for (Plan& gate : plans) plan(check, gate);
-    fmt::print("{}", reports::gates_plan(check.spec, files, plans, check.options.threads));
+    print_folded(reports::gates_plan(check.spec, files, plans, check.options.threads));
     return ExitCode::passed;
 }
 

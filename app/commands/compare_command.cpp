@@ -3,6 +3,7 @@
 #include "app/command_line/program.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/shipped_files.hpp"
+#include "app/terminal/output.hpp"
 #include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
@@ -94,12 +95,12 @@ ExitCode compare(const CompareCommand& command) {
         out.write("comparison.html", reports::comparison_html(comparison, templates));
     }
     if (command.json) {
-        fmt::print("{}\n", reports::comparison_json(comparison));
+        print_verbatim(reports::comparison_json(comparison) + "\n");
     } else if (!command.quiet) {
-        fmt::print("{}", reports::comparison_text(comparison, style_of_stdout()));
+        print_folded(reports::comparison_text(comparison, style_of_stdout()));
     }
     if (!command.quiet && !command.json && !command.out.empty())
-        fmt::print("\nResults: {}\n", (command.out / "comparison.html").string());
+        print_folded("\nResults: {}\n", (command.out / "comparison.html").string());
     if (comparison.count(studies::Likeness::different) > 0) return ExitCode::failed;
     return comparison.count(studies::Likeness::untestable) > 0 ? ExitCode::inconclusive : ExitCode::passed;
 }

@@ -3,6 +3,7 @@
 #include "app/command_line/program.hpp"
 #include "app/commands/form_factors/form_factor_run.hpp"
 #include "app/terminal/messages.hpp"
+#include "app/terminal/output.hpp"
 
 #include "core/geometry/facets.hpp"
 #include "core/support/error.hpp"
@@ -99,8 +100,8 @@ ExitCode convert(const ConvertCommand& command) {
         say("note: emissivities are not converted; they are 0.5 in {}.\n", command.out.string());
     reports::write_file(command.out, [&](std::ostream& out) { out << format.text(scene); });
     if (!command.scene.quiet)
-        fmt::print("{}: {} of {}\n", command.out.string(), reports::counted(scene.faces.size(), "face"),
-                   reports::counted(scene.surfaces.size(), "surface"));
+        print_folded("{}: {} of {}\n", command.out.string(), reports::counted(scene.faces.size(), "face"),
+                     reports::counted(scene.surfaces.size(), "surface"));
     return ExitCode::passed;
 }
 

@@ -4,6 +4,7 @@
 #include "app/command_line/program.hpp"
 #include "app/commands/run_request.hpp"
 #include "app/folders/output_folder.hpp"
+#include "app/terminal/output.hpp"
 
 #include "reports/files/matrix_files.hpp"
 #include "reports/markdown/enclosure_text.hpp"
@@ -52,7 +53,7 @@ ExitCode enclosure(const EnclosureCommand& command) {
     const studies::radiosity::EnclosureResults results = studies::radiosity::study_enclosure(request);
     const std::string text = reports::enclosure_text(request, results);
     if (!command.out.empty()) write_enclosure_files(command.out, request, results, text);
-    if (!command.quiet) fmt::print("{}", text);
+    if (!command.quiet) print_folded(text);
     return ExitCode::passed;
 }
 

@@ -4,6 +4,7 @@
 #include "app/folders/picture_files.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/shipped_files.hpp"
+#include "app/terminal/output.hpp"
 #include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
@@ -115,7 +116,7 @@ void list_pictures(const std::vector<reports::Picture>& all) {
     reports::Table table{"pictures", "", "", {{"picture", false, ""}, {"what it shows", false, ""}}, {}, {}};
     for (const reports::Picture& picture : all)
         table.rows.push_back({{picture.id, reports::Mark::none}, {picture.title, reports::Mark::none}});
-    fmt::print("{}", reports::text_table(table, style_of_stdout()));
+    print_folded(reports::text_table(table, style_of_stdout()));
 }
 
 /// Draws one picture of a study in a size for a paper, or lists the available ones.
@@ -133,7 +134,7 @@ ExitCode figure(const FigureCommand& command) {
     const auto picture = find_picture(all, command);
     const auto out = command.out.empty() ? std::filesystem::path(picture.id + ".pdf") : command.out;
     write_figure(out, picture, templates, style);
-    fmt::print("{}\n{}\n{}\n", picture.title, picture.finding, out.string());
+    print_folded("{}\n{}\n{}\n", picture.title, picture.finding, out.string());
     return evaluated.to_the_end ? ExitCode::passed : ExitCode::interrupted;
 }
 

@@ -9,6 +9,7 @@
 #include "app/process/limits.hpp"
 #include "app/process/signals.hpp"
 #include "app/terminal/messages.hpp"
+#include "app/terminal/output.hpp"
 #include "app/terminal/progress.hpp"
 #include "app/terminal/terminal_style.hpp"
 
@@ -139,7 +140,7 @@ std::string in_words(const FormFactorsCommand& command) {
     std::string of_mesh;
     for (const std::string& option : said_of_mesh(command)) of_mesh += " --" + option;
     return fmt::format(
-        "ffstudy form_factors {}{} --tolerance {}{} --level {}{} --seed {}{}", command.scene,
+        "ffstudy form-factors {}{} --tolerance {}{} --level {}{} --seed {}{}", command.scene,
         of_mesh + (command.zone.empty() ? "" : fmt::format(" --zone '{}'", command.zone)), command.request.tolerance,
         (command.request.relative > 0 ? fmt::format(" --relative {}", command.request.relative) : "") +
             (command.request.drop > 0 ? fmt::format(" --drop {}", command.request.drop) : "") +
@@ -155,7 +156,7 @@ void show(studies::form_factors::KeptMatrix& kept, const FormFactorsCommand& com
     kept.warnings = reports::form_factor_warnings(report);
     for (const std::string& warning : kept.warnings) say("warning: {}\n", warning);
     // Done before any failure could lose it.
-    if (!command.quiet) fmt::print("{}", reports::form_factors_text(report, style_of_stdout()));
+    if (!command.quiet) print_folded(reports::form_factors_text(report, style_of_stdout()));
     if (out == nullptr) return;
     write_matrix_files(*out, kept, command.text);
     hand_on_files(*out, kept, command.formats);
@@ -264,8 +265,8 @@ ExitCode form_factors(const FormFactorsCommand& command) {
     const bool by_signal = compute_form_factors(command, kept);
     if (command.shard && kept.matrix.left_out > 0 && !kept.matrix.interrupted) {
         if (!command.quiet)
-            fmt::print("shard {} is complete: {}\nWhen all are: ffstudy merge FOLDER... --out FOLDER\n", *command.shard,
-                       (out->path() / rows_file).string());
+            print_folded("shard {} is complete: {}\nWhen all are: ffstudy merge FOLDER... --out FOLDER\n",
+                         *command.shard, (out->path() / rows_file).string());
         return ExitCode::passed;
     }
     if (kept.matrix.left_out == 0) rows.remove();

@@ -12,7 +12,8 @@ namespace ff::app {
 
 void add_form_factors(ProgramDefinition& program) {
     const auto [sub, command] = program.command<FormFactorsCommand>(
-        everyday, "form_factors", "All form factors of a scene, each with an interval", form_factors);
+        everyday, "form-factors", "All form factors of a scene, each with an interval", form_factors);
+    sub.former_name = "form_factors";
     auto& request = command.request;
     sub.option("--load", command.load, "Instead of SCENE: a folder that --out has written", {.type = "DIR"});
     sub.option(

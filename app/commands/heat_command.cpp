@@ -5,6 +5,7 @@
 #include "app/folders/output_folder.hpp"
 #include "app/folders/shipped_files.hpp"
 #include "app/terminal/messages.hpp"
+#include "app/terminal/output.hpp"
 #include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
@@ -54,7 +55,7 @@ studies::form_factors::KeptMatrix load_of_all_at_once(const FormFactorsCommand& 
     if (sampled && kept.request.level_of != studies::form_factors::LevelOf::matrix)
         throw UserError(
             fmt::format("--load {}: the level of its intervals is that of each by itself (flows need all at "
-                        "once). Run 'ffstudy form_factors' again with --simultaneous.",
+                        "once). Run 'ffstudy form-factors' again with --simultaneous.",
                         command.load.string()));
     return kept;
 }
@@ -117,7 +118,7 @@ ExitCode heat(const HeatCommand& command) {
     const auto flows = sampled ? std::move(sampled->flows)
                                : studies::heat::find_flows(kept.scene, kept.matrix, materials, command.scale);
     const reports::HeatReport report{kept.scene, kept.request, materials, flows, sampled ? &*sampled : nullptr};
-    if (!command.factors.quiet) fmt::print("{}", reports::heat_text(report, style_of_stdout()));
+    if (!command.factors.quiet) print_folded(reports::heat_text(report, style_of_stdout()));
     if (out) out->write("heat.csv", [&](std::ostream& file) { reports::write_heat_csv(file, report); });
     if (out && command.gebhart) {
         const auto gebhart = studies::heat::find_gebhart_factors(kept.scene, kept.matrix, materials);

@@ -7,6 +7,7 @@
 #include "reports/files/output_file.hpp"
 
 #include "app/build_info.hpp"
+#include "app/terminal/output.hpp"
 
 #include <fmt/format.h>
 
@@ -23,7 +24,7 @@ void add_complete(ProgramDefinition& program, const NamesOfType& names) {
     const auto [command, words] =
         program.command<Words>(hidden, "complete", "Say what may stand in place of the last word of a command line",
                                [&program, names](const Words& given) {
-                                   fmt::print("{}", in_lines(complete(model_of(program), given, names)));
+                                   print_verbatim(in_lines(complete(model_of(program), given, names)));
                                    return ExitCode::passed;
                                });
     command.unparsed = &words;

@@ -6,6 +6,7 @@
 #include "app/folders/result_files.hpp"
 #include "app/folders/shipped_files.hpp"
 #include "app/terminal/messages.hpp"
+#include "app/terminal/output.hpp"
 
 #include "core/configurations/catalogue.hpp"
 #include "core/support/error.hpp"
@@ -53,10 +54,10 @@ Explanation explanation(std::string kind, const studies::Description& of) {
             std::string(of.reference)};
 }
 
-void print(const Explanation& explained) {
-    fmt::print("{} ({})\n{}\n\n{}", explained.name, explained.kind, explained.summary, explained.details);
-    if (!explained.details.ends_with('\n')) fmt::print("\n");
-    if (!explained.reference.empty()) fmt::print("\nSource: [{}], see docs/references.md\n", explained.reference);
+void show(const Explanation& explained) {
+    print_folded("{} ({})\n{}\n\n{}", explained.name, explained.kind, explained.summary, explained.details);
+    if (!explained.details.ends_with('\n')) print_folded("\n");
+    if (!explained.reference.empty()) print_folded("\nSource: [{}], see docs/references.md\n", explained.reference);
 }
 
 std::string_view beside_its_sizes(samplers::Sizes sizes) {
@@ -166,14 +167,14 @@ void print_kinds() {
         auto names = names_of_kind(kind);
         const std::size_t number = names.size();
         names.resize(std::min(number, shown));
-        fmt::print("{:<15} {:>2}  {}{}\n", kind.plural, number, fmt::join(names, ", "), number > shown ? ", …" : "");
+        print_folded("{:<15} {:>2}  {}{}\n", kind.plural, number, fmt::join(names, ", "), number > shown ? ", …" : "");
     }
 }
 
 void print_kinds_as_json() {
     nlohmann::ordered_json kinds;
     for (const ListedKind& kind : listed_kinds()) kinds[std::string(kind.plural)] = names_of_kind(kind);
-    fmt::print("{}\n", kinds.dump(2));
+    print_verbatim(kinds.dump(2) + "\n");
 }
 
 ExitCode list(const ListCommand& command) {
@@ -184,19 +185,19 @@ ExitCode list(const ListCommand& command) {
             return ExitCode::passed;
         }
         print_kinds();
-        fmt::print("\nAll of a kind: 'ffstudy list samplers'. More about one: 'ffstudy explain sobol'.\n");
+        print_folded("\nAll of a kind: 'ffstudy list samplers'. More about one: 'ffstudy explain sobol'.\n");
         return ExitCode::passed;
     }
     const auto rows = listed(command.name);
     if (command.json) {
         auto array = nlohmann::ordered_json::array();
         for (const Listed& row : rows) array.push_back({{"name", row.name}, {"summary", row.summary}});
-        fmt::print("{}\n", array.dump(2));
+        print_verbatim(array.dump(2) + "\n");
         return ExitCode::passed;
     }
     std::size_t width = 0;
     for (const Listed& row : rows) width = std::max(width, row.name.size());
-    for (const Listed& row : rows) fmt::print("{:<{}}  {}\n", row.name, width, row.summary);
+    for (const Listed& row : rows) print_folded("{:<{}}  {}\n", row.name, width, row.summary);
     return ExitCode::passed;
 }
 
@@ -211,11 +212,11 @@ ExitCode explain(const ListCommand& command) {
             array.push_back(
                 {{"kind", kind}, {"name", name}, {"summary", summary}, {"details", details}, {"reference", reference}});
         }
-        fmt::print("{}\n", array.dump(2));
+        print_verbatim(array.dump(2) + "\n");
     } else {
         for (const Explanation& explained : found) {
-            if (&explained != &found.front()) fmt::print("\n");
-            print(explained);
+            if (&explained != &found.front()) print_folded("\n");
+            show(explained);
         }
     }
     if (!scene || scene->empty_box) return ExitCode::passed;

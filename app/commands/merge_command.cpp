@@ -8,6 +8,7 @@
 #include "app/folders/shipped_files.hpp"
 #include "app/process/signals.hpp"
 #include "app/terminal/messages.hpp"
+#include "app/terminal/output.hpp"
 #include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
@@ -66,8 +67,8 @@ ExitCode merge(const MergeCommand& command) {
     const auto [results, to_the_end] = evaluate_until_stopped(store);
     write_results(out, {store, results, templates}, usual_formats());
     if (!command.quiet) {
-        fmt::print("{}\nResults: {}\n", reports::terminal_summary(results, style_of_stdout()),
-                   (command.out / "report.html").string());
+        print_folded("{}\nResults: {}\n", reports::terminal_summary(results, style_of_stdout()),
+                     (command.out / "report.html").string());
     }
     if (outcome.missing.empty()) return to_the_end ? ExitCode::passed : ExitCode::interrupted;
     say("{}. Merge again with the shards that hold them, or run the study with --out {}.\n",

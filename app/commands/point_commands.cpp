@@ -2,6 +2,7 @@
 
 #include "app/command_line/common_options.hpp"
 #include "app/command_line/program.hpp"
+#include "app/terminal/output.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/files/output_file.hpp"
@@ -50,19 +51,19 @@ samplers::PointSet draw(const samplers::CatalogueEntry& sampler, const PointsCom
 void describe(const samplers::PointSet& set, std::uint32_t base) {
     const auto found = studies::evenness_of(set, base);
     const bool too_many = set.points > studies::most_for_t_value;
-    fmt::print("{} points of {} coordinates\n", set.points, set.dimension);
-    fmt::print("t-value in base {}: {}\n", base,
-               found.t_value ? fmt::format("{}", *found.t_value)
-               : too_many    ? fmt::format("not computed for more than {} points", studies::most_for_t_value)
-                             : "none, the number of points is no power of it");
+    print_folded("{} points of {} coordinates\n", set.points, set.dimension);
+    print_folded("t-value in base {}: {}\n", base,
+                 found.t_value ? fmt::format("{}", *found.t_value)
+                 : too_many    ? fmt::format("not computed for more than {} points", studies::most_for_t_value)
+                               : "none, the number of points is no power of it");
     if (found.l2_star_discrepancy) {
-        fmt::print("L2-star discrepancy: {:.4g}\ncentred L2 discrepancy: {:.4g}\n", *found.l2_star_discrepancy,
-                   *found.centred_discrepancy);
+        print_folded("L2-star discrepancy: {:.4g}\ncentred L2 discrepancy: {:.4g}\n", *found.l2_star_discrepancy,
+                     *found.centred_discrepancy);
     } else {
-        fmt::print("discrepancies: not computed for more than {} points\n", studies::most_quadratic);
+        print_folded("discrepancies: not computed for more than {} points\n", studies::most_quadratic);
     }
-    fmt::print("largest gap of an axis: {:.4g} (1/n is {:.4g})\n", found.largest_gap,
-               1 / static_cast<double>(set.points));
+    print_folded("largest gap of an axis: {:.4g} (1/n is {:.4g})\n", found.largest_gap,
+                 1 / static_cast<double>(set.points));
 }
 
 std::string_view word(studies::SamplerVerdict verdict) {
@@ -101,9 +102,9 @@ ExitCode check_sampler(const CheckSamplerCommand& command) {
     request.seed = command.seed;
     for (const std::string& text : command.promises) request.promises.push_back(studies::parse_promise(text));
     const auto found = studies::check_sampler(sampler, request);
-    fmt::print("{}: {} points of {} coordinates, {} trial{}, seed {}\n", sampler.info.name, request.points,
-               request.dimension, found.trials, found.trials == 1 ? "" : "s", request.seed);
-    fmt::print(
+    print_folded("{}: {} points of {} coordinates, {} trial{}, seed {}\n", sampler.info.name, request.points,
+                 request.dimension, found.trials, found.trials == 1 ? "" : "s", request.seed);
+    print_folded(
         "A sound sampler fails with probability {} at most; in each statistical check, what is said to be seen is "
         "missed with probability {:.2g}. Structure is looked for in {} set{}.\n\n",
         request.alpha, 1 - request.power, found.sets, found.sets == 1 ? "" : "s");
@@ -112,11 +113,11 @@ ExitCode check_sampler(const CheckSamplerCommand& command) {
     bool failed = false;
     bool undecided = false;
     for (const auto& check : found.checks) {
-        fmt::print("{:<12}  {:<{}}  {}\n", word(check.verdict), check.name, width, check.found);
+        print_folded("{:<12}  {:<{}}  {}\n", word(check.verdict), check.name, width, check.found);
         failed |= check.verdict == studies::SamplerVerdict::fail;
         undecided |= check.verdict == studies::SamplerVerdict::inconclusive;
     }
-    for (const std::string& what : found.not_asked) fmt::print("not asked     {}\n", what);
+    for (const std::string& what : found.not_asked) print_folded("not asked     {}\n", what);
     return failed ? ExitCode::failed : undecided ? ExitCode::inconclusive : ExitCode::passed;
 }
 

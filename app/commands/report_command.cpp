@@ -5,6 +5,7 @@
 #include "app/folders/result_files.hpp"
 #include "app/folders/shipped_files.hpp"
 #include "app/terminal/messages.hpp"
+#include "app/terminal/output.hpp"
 #include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
@@ -51,7 +52,7 @@ ExitCode report(const ReportCommand& command) {
     }
     write_results(folder, {store, results, templates, command.pictures, command.quiet}, formats);
     if (!command.quiet)
-        fmt::print("{}\nResults: {}\n", reports::terminal_summary(results, style_of_stdout()), out.string());
+        print_folded("{}\nResults: {}\n", reports::terminal_summary(results, style_of_stdout()), out.string());
     return to_the_end ? ExitCode::passed : ExitCode::interrupted;
 }
 

@@ -8,6 +8,7 @@
 #include "app/process/processes.hpp"
 #include "app/process/signals.hpp"
 #include "app/terminal/messages.hpp"
+#include "app/terminal/output.hpp"
 #include "app/terminal/progress.hpp"
 #include "app/terminal/terminal_style.hpp"
 
@@ -52,8 +53,8 @@ std::string reproduce(const RunCommand& command, const studies::StudySpec& spec)
 ExitCode finish_shard(const studies::Shard& shard, OutputFolder& out, bool quiet) {
     for (const std::string& name : usual_files()) out.remove(name);
     if (!quiet) {
-        fmt::print("shard {}/{} is complete: {}\nWhen all {} are: ffstudy merge FOLDER... --out FOLDER\n", shard.index,
-                   shard.count, (out.path() / "results.sqlite").string(), shard.count);
+        print_folded("shard {}/{} is complete: {}\nWhen all {} are: ffstudy merge FOLDER... --out FOLDER\n",
+                     shard.index, shard.count, (out.path() / "results.sqlite").string(), shard.count);
     }
     return ExitCode::passed;
 }
@@ -97,11 +98,11 @@ void save_study(const std::filesystem::path& file, const studies::StudySpec& spe
 }
 
 ExitCode describe_plan(const RunRequest& request, const std::filesystem::path& out) {
-    if (const std::string text = describe_growth(out, request.plan); !text.empty()) fmt::print("{}\n\n", text);
-    fmt::print("{}about {} of memory, {} on the disk\n",
-               reports::terminal_plan(request.plan, request.threads, style_of_stdout()),
-               size_in_words(studies::expected_memory(request.plan, request.threads)),
-               size_in_words(studies::expected_store_size(request.plan)));
+    if (const std::string text = describe_growth(out, request.plan); !text.empty()) print_folded("{}\n\n", text);
+    print_folded("{}about {} of memory, {} on the disk\n",
+                 reports::terminal_plan(request.plan, request.threads, style_of_stdout()),
+                 size_in_words(studies::expected_memory(request.plan, request.threads)),
+                 size_in_words(studies::expected_store_size(request.plan)));
     return ExitCode::passed;
 }
 
@@ -172,7 +173,7 @@ ExitCode run(const RunCommand& command) {
     stop_in_order_on_signals(
         command.quiet
             ? ""
-            : fmt::format("\nstopping: finishing {} in progress, for two seconds at most; again to end at once\n",
+            : fmt::format("\nstopping: finishing {} in progress, for two seconds at most; again to drop them\n",
                           units));
     bool worked = false;
     studies::MeasuredCosts costs(plan);
@@ -205,10 +206,10 @@ ExitCode run(const RunCommand& command) {
         return finish_shard(request.shard, out, command.quiet);
     const auto [results, to_the_end] = evaluate_until_stopped(store);
     write_results(out, {store, results, templates}, usual_formats());
-    if (!command.quiet) fmt::print("{}", reports::terminal_summary(results, style_of_stdout()));
+    if (!command.quiet) print_folded(reports::terminal_summary(results, style_of_stdout()));
     if (!command.quiet && !costs.in_words().empty())
-        fmt::print("\nProcessor time per trial, measured: {}\n", costs.in_words());
-    if (!command.quiet) fmt::print("\nResults: {}\n", (out.path() / "report.html").string());
+        print_folded("\nProcessor time per trial, measured: {}\n", costs.in_words());
+    if (!command.quiet) print_folded("\nResults: {}\n", (out.path() / "report.html").string());
     if (outcome == studies::RunOutcome::complete && !to_the_end) return ExitCode::interrupted;
     if (outcome == studies::RunOutcome::complete)
         return studies::all_reached(results.until) ? ExitCode::passed : ExitCode::inconclusive;

@@ -1,6 +1,7 @@
 #include "app/process/guard.hpp"
 
 #include "app/terminal/messages.hpp"
+#include "app/terminal/output.hpp"
 
 #include "core/support/error.hpp"
 #include "studies/readers/printable.hpp"
@@ -86,7 +87,7 @@ ExitCode guarded(std::span<char* const> arguments, const std::function<ExitCode(
     try {
         expect_utf8();
         const ExitCode code = act();
-        if (std::fflush(stdout) != 0)
+        if (!flush_output())
             return fail(ExitCode::io, "standard output cannot be written. Check the disk or the pipe.");
         return code;
     } catch (...) {

@@ -1,8 +1,8 @@
 #include "reports/comparison/comparison_words.hpp"
 
+#include "reports/text/folding.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/text/text_table.hpp"
 
 #include <fmt/format.h>
 

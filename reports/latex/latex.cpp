@@ -4,8 +4,8 @@
 #include "reports/pictures/picture_values.hpp"
 #include "reports/tables/tables.hpp"
 #include "reports/templates/mustache.hpp"
+#include "reports/text/folding.hpp"
 #include "reports/text/json_values.hpp"
-#include "reports/text/text_table.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "reports/text/text_plot.hpp"
 
 #include "core/support/contract.hpp"
+#include "reports/text/folding.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/text/text_table.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,7 @@
 #include "reports/text/text_table.hpp"
 
+#include "reports/text/folding.hpp"
+
 #include <algorithm>
 #include <vector>
 
@@ -37,27 +39,6 @@ std::vector<SetColumn> set_columns(const Table& table, std::size_t room) {
     return columns;
 }
 
-/// A text on a continuing line, broken between words where it is wider than the terminal.
-std::string folded(const std::string& text, std::size_t room) {
-    std::string out;
-    std::size_t end = indent;
-    std::size_t begin = 0;
-    while (begin < text.size()) {
-        const std::size_t blank = std::min(text.find(' ', begin), text.size());
-        const std::string word = text.substr(begin, blank - begin);
-        const std::size_t width = visible_length(word);
-        if (!out.empty()) {
-            const bool fits = end + 1 + width <= room;
-            out += fits ? " " : "\n" + std::string(indent, ' ');
-            end = fits ? end + 1 : indent;
-        }
-        out += word;
-        end += width;
-        begin = blank + 1;
-    }
-    return out;
-}
-
 /// A row without blanks at the end of lines, and without continuing lines that would be blank.
 std::string row_text(const Table& table, const std::vector<SetColumn>& columns, const std::vector<TableCell>& row,
                      const TextStyle& style) {
@@ -71,7 +52,8 @@ std::string row_text(const Table& table, const std::vector<SetColumn>& columns, 
         }
         if (table.columns[i].number) blanks += room;
         if (!row[i].text.empty()) {
-            const std::string text = columns[i].begins_line ? folded(row[i].text, style.width) : row[i].text;
+            const std::string text =
+                columns[i].begins_line ? folded_line(row[i].text, indent, indent, style.width) : row[i].text;
             out += std::string(blanks, ' ') + painted(text, row[i].mark, style.colour);
             blanks = 0;
         }
@@ -83,11 +65,6 @@ std::string row_text(const Table& table, const std::vector<SetColumn>& columns, 
 }
 
 }  // namespace
-
-std::size_t visible_length(std::string_view utf8) {
-    return static_cast<std::size_t>(
-        std::count_if(utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
-}
 
 std::string text_table(const Table& table, const TextStyle& style) {
     const auto columns = set_columns(table, style.width);

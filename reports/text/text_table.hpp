@@ -9,9 +9,6 @@
 
 namespace ff::reports {
 
-/// The number of visible characters.
-std::size_t visible_length(std::string_view utf8);
-
 /// The columns of a table for a terminal, as wide as they have to be: titles of groups, titles, rows. Where a row is
 /// wider than the terminal, the columns that do not fit continue on indented lines below it. Title, note and remarks
 /// are left to the caller.

@@ -39,7 +39,7 @@ struct SceneFacts {
     [[nodiscard]] std::optional<std::size_t> face(std::string_view label) const;
 };
 
-/// Where no formula gives all factors, they are those of `ffstudy form_factors`, with its intervals.
+/// Where no formula gives all factors, they are those of `ffstudy form-factors`, with its intervals.
 /// @pre the scene is known and has the faces that figures name, as `parse_published_tables` sees to
 SceneFacts scene_facts(const PublishedTables& tables);
 

@@ -44,7 +44,7 @@ struct Progress {
     std::size_t pairs = 0;      ///< pairs of faces
 };
 
-/// A request to `ffstudy form_factors`.
+/// A request to `ffstudy form-factors`.
 struct Request {
     double tolerance = 1e-5;  ///< largest length of the longer half of an entry's interval
     double relative = 0;      ///< or this share of the entry, where that is more

@@ -72,7 +72,7 @@ void expect_solvable(const Scene& scene, const FactorBounds& factors, const Face
         if (!can_add_up(factors, i))
             throw UserError(
                 fmt::format("scene '{}': the form factors of face '{}' cannot add up to 1 (between {:.6g} and "
-                            "{:.6g}). See the warnings of 'ffstudy form_factors' on this scene.",
+                            "{:.6g}). See the warnings of 'ffstudy form-factors' on this scene.",
                             scene.name, face(i), factors.low.row(i).sum(), factors.high.row(i).sum()));
         if (!materials.surroundings && !materials.are_light() && factors.high.coeff(i, n) > 0)
             throw UserError(

@@ -31,7 +31,7 @@ std::string_view name_of(FileKind kind);
 /// The kind of a file that no command accepts, by its first bytes: "a PNG picture". Empty where they do not tell.
 std::string_view name_of_foreign(std::string_view bytes);
 
-/// The command that takes the file: "ffstudy form_factors FILE"
+/// The command that takes the file: "ffstudy form-factors FILE"
 std::string command_for(FileKind kind, const std::filesystem::path& file);
 
 /// @throws UserError where the bytes are recognised as a kind other than the expected one, with the command that takes

@@ -91,7 +91,7 @@ Scene make_scene(const SceneSource& source) {
 void expect_no_masks(const Scene& scene) {
     if (scene.masks.empty()) return;
     throw UserError(
-        fmt::format("scene '{}': '{}' masks a part of '{}' (only ffstudy form_factors takes masks). Write it as a null "
+        fmt::format("scene '{}': '{}' masks a part of '{}' (only ffstudy form-factors takes masks). Write it as a null "
                     "surface (N).",
                     scene.name, scene.masks.front().name, scene.masks.front().base));
 }

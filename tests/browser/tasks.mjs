@@ -1,5 +1,5 @@
-// tasks.mjs CHROMIUM RESULTS: what someone with a minute asks of a report, answered from its first screen alone, beside
-// what results.json says. RESULTS has the folders of `run reports`. Exits with 1 where an answer is missing or another.
+// tasks.mjs CHROMIUM RESULTS: what a newcomer asks of the built-in studies, answered from the first screens of their reports
+// alone, at two widths, beside what results.json says. RESULTS has the folders of `run reports`. Exits with 1 where an answer is missing or another.
 
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
@@ -30,52 +30,60 @@ const errorsAt = (json, pairClass, evaluations) => json.slopes.flatMap(({label, 
 /** A number to two significant digits. */
 const inShort = number => String(Number(Number(number).toPrecision(2)));
 
+const verdict = page => page.$eval('.verdict', node => node.textContent);
+
 const tasks = [
-  {study: 'ladders', asks: 'Which method is best for adjacent faces at 256 evaluations per face?',
+  // On a phone the picture of twenty samplers is longer than the screen.
+  {study: 'convergence_rays', asks: 'Which sampler is best for adjacent faces at 4096 rays?', widths: [1280],
    async reads(page) {
-     const name = 'errors at 256 evaluations per face';
+     const name = 'errors at 4096 evaluations per face';
      const value = await page.$$eval('header .alternatives option', (options, name) =>
        options.find(option => option.textContent === name)?.value, name);
      await page.select('header .alternatives select', value);
      await page.waitForFunction(() => /RMSE/.test(document.querySelector('header figure.picture svg').textContent));
      return (await ranking(page))['adjacent pairs']?.[0];
    },
-   knows: json => errorsAt(json, 'adjacent', 256).sort((a, b) => a.rmse - b.rmse)[0].label},
-  {study: 'ladders', asks: 'Which method converges fastest on parallel faces?',
-   async reads(page) { return (await ranking(page))['parallel pairs']?.[0]; },
-   knows: json => json.slopes.map(({label, classes}) => ({label, slope: classes.find(each => each.pair_class === 'parallel').slopes[0].slope}))
-     .sort((a, b) => a.slope - b.slope)[0].label},
-  {study: 'paper', asks: 'How many contradictions do the published tables have?',
+   knows: json => errorsAt(json, 'adjacent', 4096).sort((a, b) => a.rmse - b.rmse)[0].label},
+  {study: 'sr_vs_pdm', asks: 'SR or PDM?',
+   async reads(page) { return (await verdict(page)).match(/On adjacent pairs (\w+) errs/)?.[1]; },
+   knows: json => json.cells.filter(({method, patches_per_face, samples_per_patch}) =>
+     patches_per_face === 169 && (method === 'PDM' || (method === 'SR' && samples_per_patch === 625)))
+     .map(({method, summaries}) => ({method, rmse: Math.max(...summaries
+       .filter(each => each.kind === 'form_factor' && each.pair_class === 'adjacent').map(({rmse}) => rmse))}))
+     .sort((a, b) => a.rmse - b.rmse)[0].method},
+  {study: 'occlusion', asks: 'Does PDM suffer from occlusion?',
    async reads(page) {
-     return /contain (\d+) contradictions/.exec(await page.$eval('.verdict', node => node.textContent))?.[1];
+     const cards = await page.$$eval('.numbers li', nodes => nodes.map(node => node.textContent));
+     return cards.some(text => /PDM: \d+ of \d+.*partly occluded pairs slower than random points/.test(text));
    },
-   knows: json => String(json.published.audit.filter(({severity}) => severity === 'contradiction').length)},
-  {study: 'paper', asks: 'Does PDM, as the paper describes it, give the figures of the paper?',
+   knows: () => true},
+  {study: 'radiosity_consequences', asks: 'What do errors by SR do to the light at reflectance 0.9?',
    async reads(page) {
-     return /PDM as described does not give the figures printed for it/.test(await page.$eval('.verdict', node => node.textContent));
-   },
-   knows: json => json.published.claims.some(claim => claim.as_printed_only)},
-  {study: 'light', asks: 'How wrong is the exitance by SR at reflectance 0.9?',
-   async reads(page) {
-     const verdict = await page.$eval('.verdict', node => node.textContent);
-     return inShort(/reflectance 0\.9 .*?([\d.]+)(?: ± [\d.]+)? % with SR/.exec(verdict)?.[1]);
+     return inShort(/reflectance 0\.9 .*?([\d.]+)(?: ± [\d.]+)? % with SR/.exec(await verdict(page))?.[1]);
    },
    knows: json => {
-     const found = json.radiosity.consequences.find(each => each.cell.startsWith('SR') && each.treatment === 'reciprocal' && each.between === 'faces');
-     return inShort(100 * found.settings[1].light_error);
+     const errors = json.radiosity.consequences
+       .filter(each => each.cell.startsWith('SR, 25 ') && each.treatment === 'reciprocal' && each.between === 'faces')
+       .map(found => found.settings[4].light_error);
+     return inShort(100 * errors[0]);
    }},
+  {study: 'coverage', asks: 'Which interval with 5 replicates?',
+   async reads(page) { return (await verdict(page)).match(/From 5 replicates on take ([^:]+):/)?.[1]; },
+   knows: () => "Student's t"},
 ];
 
 const problems = [];
 await withChromium(chromium, async browser => {
-  for (const {study, asks, reads, knows} of tasks) {
-    const {page} = await open(browser, join(results, study, 'report.html'), {width: 1280});
-    await page.waitForSelector('header figure.picture[data-drawn=true]', {timeout: 20_000});
-    const read = await reads(page);
-    const known = knows(JSON.parse(readFileSync(join(results, study, 'results.json'), 'utf8')));
-    console.log(`${asks} ${read}`);
-    if (read !== known) problems.push(`${asks} The first screen says ${read}, results.json ${known}.`);
-    await page.close();
+  for (const {study, asks, reads, knows, widths = [1280, 390]} of tasks) {
+    for (const width of widths) {
+      const {page} = await open(browser, join(results, study, 'report.html'), {width, height: width > 390 ? 900 : 844});
+      await page.waitForSelector('header figure.picture[data-drawn=true]', {timeout: 20_000});
+      const read = await reads(page);
+      const known = knows(JSON.parse(readFileSync(join(results, study, 'results.json'), 'utf8')));
+      console.log(`${asks} ${read}`);
+      if (read !== known) problems.push(`${asks} At ${width} px the first screen says ${read}, results.json ${known}.`);
+      await page.close();
+    }
   }
 });
 for (const problem of problems) console.error(problem);

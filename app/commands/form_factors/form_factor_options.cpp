@@ -25,7 +25,7 @@ void add_options_of_scenes(CommandDefinition& sub, FormFactorsCommand& command) 
 
 void add_options_of_places(CommandDefinition& sub, FormFactorsCommand& command) {
     sub.option("--scale", command.scale, "Multiply the lengths of an OBJ file or a mesh: 0.001 for millimetres");
-    sub.option("--up", command.up, "The axis of an OBJ file or a mesh that points up; it becomes z",
+    sub.option("--up", command.up, "x, y or z: the axis of an OBJ file or a mesh that points up, which becomes z",
                {.type = "AXIS", .choices = {studies::obj_axes.begin(), studies::obj_axes.end()}});
 }
 
@@ -47,7 +47,7 @@ std::vector<std::string> said_of_mesh(const FormFactorsCommand& command) {
 
 studies::SceneSource read_source(const FormFactorsCommand& command) {
     const std::string& name = command.scene;
-    if (name.empty()) throw UserError("SCENE is missing. See 'ffstudy form_factors --help'.");
+    if (name.empty()) throw UserError("SCENE is missing. See 'ffstudy form-factors --help'.");
     const std::vector<std::string> said = said_of_mesh(command);
     if (!said.empty() && !studies::is_read_as_obj(name))
         throw UserError(fmt::format("--{}: '{}' is neither an OBJ file nor a mesh (only these take it). Leave it out.",

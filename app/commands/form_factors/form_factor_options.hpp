@@ -16,7 +16,7 @@
 
 namespace ff::app {
 
-/// Options of `ffstudy form_factors`.
+/// Options of `ffstudy form-factors`.
 struct FormFactorsCommand {
     std::string scene;           ///< built-in name, or a file; empty: load a matrix
     std::filesystem::path load;  ///< folder or store of an earlier run; empty: none

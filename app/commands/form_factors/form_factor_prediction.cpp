@@ -2,6 +2,7 @@
 
 #include "app/process/limits.hpp"
 #include "app/process/signals.hpp"
+#include "app/terminal/output.hpp"
 
 #include "reports/text/numbers.hpp"
 #include "reports/words/scene_reports.hpp"
@@ -68,21 +69,21 @@ ExitCode predict_form_factors(const studies::form_factors::KeptMatrix& kept) {
     // Rough number of bytes for a sampled pair, until its interval and those of its rows are made.
     constexpr std::uint64_t memory_of_pair = 600;
     const double more = sampled == 0 ? 0 : static_cast<double>(to_sample) / static_cast<double>(sampled);
-    fmt::print("{} of {}; {} of faces see each other, {} of them are to be sampled\n", reports::counted(faces, "face"),
-               reports::counted(matrix.surfaces, "surface"), reports::counted(matrix.exchanges.size(), "pair"),
-               to_sample);
-    fmt::print("Tried: {} of {}, {:.1f} s of processor time, after {:.1f} s for looking at all pairs.\n", sampled,
-               reports::counted(to_sample, "pair"), sampling, looking);
+    print_folded("{} of {}; {} of faces see each other, {} of them are to be sampled\n",
+                 reports::counted(faces, "face"), reports::counted(matrix.surfaces, "surface"),
+                 reports::counted(matrix.exchanges.size(), "pair"), to_sample);
+    print_folded("Tried: {} of {}, {:.1f} s of processor time, after {:.1f} s for looking at all pairs.\n", sampled,
+                 reports::counted(to_sample, "pair"), sampling, looking);
     if (to_sample > 0 && sampled == 0) {
-        fmt::print("No row that was tried has pairs to sample: what all take is not known.\n");
+        print_folded("No row that was tried has pairs to sample: what all take is not known.\n");
         return ExitCode::passed;
     }
     const double all = rest + sampling * more;
-    fmt::print("Expected for all: {:.{}f} s of processor time ({:.{}f} s on {}), {:.2g} samples, {} of memory{}\n", all,
-               all < 10 ? 1 : 0, all / request.threads, all / request.threads < 10 ? 1 : 0,
-               reports::counted(request.threads, "thread"), static_cast<double>(matrix.samples) * more,
-               size_in_words(resident_memory().value_or(0) + (to_sample - sampled) * memory_of_pair),
-               fmt::format(", {} on the disk with --out", size_in_words(expected_size(matrix))));
+    print_folded("Expected for all: {:.{}f} s of processor time ({:.{}f} s on {}), {:.2g} samples, {} of memory{}\n",
+                 all, all < 10 ? 1 : 0, all / request.threads, all / request.threads < 10 ? 1 : 0,
+                 reports::counted(request.threads, "thread"), static_cast<double>(matrix.samples) * more,
+                 size_in_words(resident_memory().value_or(0) + (to_sample - sampled) * memory_of_pair),
+                 fmt::format(", {} on the disk with --out", size_in_words(expected_size(matrix))));
     return ExitCode::passed;
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/folders/output_folder.hpp"
 #include "app/terminal/messages.hpp"
+#include "app/terminal/output.hpp"
 #include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
@@ -118,9 +119,9 @@ void print_factors(const Scene& scene, const std::vector<std::vector<PointFactor
             table.rows.push_back({std::to_string(point + 1), scene.faces[face], half_of(factors[point][face])});
         }
     }
-    fmt::print("{}", reports::text_table(table, style_of_stdout()));
+    print_folded(reports::text_table(table, style_of_stdout()));
     if (factors.size() > most_shown)
-        fmt::print("The first {} points, of {}; all are in points.csv of --out.\n", most_shown, factors.size());
+        print_folded("The first {} points, of {}; all are in points.csv of --out.\n", most_shown, factors.size());
 }
 
 void write_factors(std::ostream& out, const Scene& scene, const std::vector<Sensor>& sensors,

@@ -3,6 +3,7 @@
 #include "app/commands/gates/check_estimates.hpp"
 #include "app/commands/gates/look_ledger.hpp"
 #include "app/process/signals.hpp"
+#include "app/terminal/output.hpp"
 #include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
@@ -75,7 +76,7 @@ ExitCode judge_once(const CheckSession& session) {
     folder.write("context.json", reports::context_json(context));
     session.print(reports::gates_summary(results));
     session.print(fmt::format("Results: {}\n", out.string()));
-    if (session.command.json) fmt::print("{}", reports::verdicts_json(results));
+    if (session.command.json) print_verbatim(reports::verdicts_json(results));
     return exit_code(results.verdict());
 }
 
@@ -122,7 +123,7 @@ std::filesystem::path CheckSession::out() const {
 
 void CheckSession::print(const std::string& text) const {
     if (command.quiet || command.json) return;
-    fmt::print("{}", text);
+    print_folded(text);
     std::fflush(stdout);
 }
 

@@ -5,6 +5,7 @@
 #include "app/commands/gates/check_estimates.hpp"
 #include "app/commands/gates/check_session.hpp"
 #include "app/folders/output_folder.hpp"
+#include "app/terminal/output.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/csv/csv_records.hpp"
@@ -33,7 +34,7 @@ ExitCode judge_files_only(const CheckCommand& command) {
         return ExitCode::passed;
     }
     if (command.dry_run) {
-        fmt::print("{}", reports::estimates_plan(spec, plan_file(command, spec)));
+        print_folded(reports::estimates_plan(spec, plan_file(command, spec)));
         return ExitCode::passed;
     }
     auto context = describe_program(fmt::format("ffstudy check {}", command.bands.string()), 1, 0);
@@ -90,7 +91,7 @@ void save_means(const CheckCommand& command) {
     }
     const OutputFolder lock(reports::folder_of(command.save_baseline), "baseline");
     reports::write_file(command.save_baseline, means);
-    if (!command.quiet) fmt::print("Baseline: {} (compare with it by --against)\n", command.save_baseline.string());
+    if (!command.quiet) print_folded("Baseline: {} (compare with it by --against)\n", command.save_baseline.string());
 }
 
 }  // namespace ff::app

@@ -11,7 +11,7 @@
 
 namespace ff {
 
-/// `point_to_polygon` with shadows cut out: the method `points` of `ffstudy form_factors`.
+/// `point_to_polygon` with shadows cut out: the method `points` of `ffstudy form-factors`.
 class PointToVisiblePolygon {
   public:
     static constexpr EstimatorInfo info{
@@ -23,7 +23,7 @@ class PointToVisiblePolygon {
             "all targets.\nUnbiased with random points, of values between 0 and 1, continuous but for kinks where "
             "shadows begin. What\nstands in the way of nothing costs nothing; for scenes without occluders "
             "point_to_polygon is the faster one.\nFaces and what may hide them have to be parallelograms and "
-            "triangles. It is the method `points` of\n`ffstudy form_factors`, which chooses sizes by itself.",
+            "triangles. It is the method `points` of\n`ffstudy form-factors`, which chooses sizes by itself.",
         .reference = "baum1989",
         .dimension = 2,
         .points = PointsServe::patches,

@@ -101,7 +101,7 @@ study cube.obj
 ffstudy run "$folder/study.toml" --out wrong
 expect_status 0
 expect_stderr "faces seem to face outwards (no ray from a radiating side meets another"
-ffstudy form_factors "$folder/cube.obj" --tolerance 1e-3
+ffstudy form-factors "$folder/cube.obj" --tolerance 1e-3
 expect_status 4
 expect_stderr "faces seem to face outwards"
 expect_stdout "NOT to be trusted (see the warnings)"

@@ -21,7 +21,7 @@ expect_refused 3 'no\x1b[31msuch.toml'
 expect_readable
 ffstudy run $'no\xe2\x80\xaesuch.toml'
 expect_refused 3 'no\u202esuch.toml'
-ffstudy form_factors $'caf\xe9.obj'
+ffstudy form-factors $'caf\xe9.obj'
 expect_refused 2 'caf\xe9.obj: not UTF-8 (reports could not hold it).'
 ffstudy check bands.toml --out $'caf\xe9'
 expect_refused 2 'caf\xe9: not UTF-8'
@@ -47,26 +47,26 @@ for name in '=1+1' '@SUM(A1)' '+A1*2' '-2+3' '=x'; do
     expect_refused 2 "(a spreadsheet would take it for a formula). Begin it with a letter."
 done
 printf '# a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 1 1\nv 1 0 1\ng +x\nf 1 2 3\ng -z\nf 4 5 6\n' >"$folder/signs.obj"
-ffstudy form_factors "$folder/signs.obj" --tolerance 0.01
+ffstudy form-factors "$folder/signs.obj" --tolerance 0.01
 expect_status 0
 sed 's/g +x/g __proto__/' "$folder/signs.obj" >"$folder/proto.obj"
-ffstudy form_factors "$folder/proto.obj"
+ffstudy form-factors "$folder/proto.obj"
 expect_refused 2 "proto.obj:9: face '__proto__' (the pictures of report.html cannot have it). Rename it."
 
 # A byte order mark hides no line.
 { printf '\xef\xbb\xbf# closed\n' && sed 1d "$folder/signs.obj"; } >"$folder/closed.obj"
-ffstudy form_factors "$folder/closed.obj" --tolerance 0.01
+ffstudy form-factors "$folder/closed.obj" --tolerance 0.01
 expect_stderr "though the scene is said to be closed"
 
 # Indices that the loader would wrap, cut or take for others.
 for corner in 9223372036854775808 4294967297 1.5 0 1x 1//2/3 x# 1/0; do
     sed "s|^f 1 2 3|f 1 2 $corner|" "$folder/signs.obj" >"$folder/corner.obj"
-    ffstudy form_factors "$folder/corner.obj"
+    ffstudy form-factors "$folder/corner.obj"
     expect_refused 2 "corner.obj:9: corner 3 is '$corner' (vertices count from 1, or back from -1). Write f 1 2 3."
 done
 for corner in 3/1 3/1/1 3//1 -4; do
     sed "s|^f 1 2 3|f 1 2 $corner|" "$folder/signs.obj" >"$folder/corner.obj"
-    ffstudy form_factors "$folder/corner.obj" --tolerance 0.01
+    ffstudy form-factors "$folder/corner.obj" --tolerance 0.01
     expect_status 0
 done
 

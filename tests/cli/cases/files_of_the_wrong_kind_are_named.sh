@@ -15,7 +15,7 @@ printf 'trial,quantity,estimate\n0,q,1\n' >"$files/estimates"
 ffstudy run "$files/study" --out "$folder/kept" --quiet
 expect_status 0
 cp "$folder/kept/results.sqlite" "$files/store"
-ffstudy form_factors cube --out "$folder/factors" --quiet
+ffstudy form-factors cube --out "$folder/factors" --quiet
 expect_status 0
 cp "$folder/factors/form_factors.sqlite" "$files/factors"
 ffstudy points sobol --n 16 --out "$folder/points.npy"
@@ -83,12 +83,12 @@ for kind in study bands toml_scene obj vs3 tables baseline estimates store facto
 done
 
 # A file without the extension of a scene, and something that is not a file at all.
-ffstudy form_factors "$files/study"
+ffstudy form-factors "$files/study"
 expect_refused 2 "a study file (expected a scene file). Run 'ffstudy run $files/study'."
-ffstudy form_factors "$files/obj"
+ffstudy form-factors "$files/obj"
 expect_refused 2 "its extension names no scene format (.obj, .toml, .vs3, .idf, .epJSON, .stl, .ply, .off, .gltf, .glb, .vtk, .vtu, .vtp, .msh). Rename it."
 /usr/bin/python3 -c 'import sys; sys.stdout.buffer.write(bytes(80) + b"\1\0\0\0" + bytes(50))' >"$folder/stl.obj"
-ffstudy form_factors "$folder/stl.obj"
+ffstudy form-factors "$folder/stl.obj"
 expect_refused 2 "an STL file by its content (its name says that it is something else). Rename it to end in .stl."
 mkfifo "$folder/fifo"
 ffstudy report "$folder/fifo"

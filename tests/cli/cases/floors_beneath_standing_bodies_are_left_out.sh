@@ -16,7 +16,7 @@ room 'f 1 2 3 4' >without_bottom.obj
 { room 'f 1 2 3 4' && printf '%s\n' "${bottom[@]}"; } >with_bottom.obj
 
 for scene in cut without_bottom with_bottom; do
-    ffstudy form_factors $scene.obj --tolerance 1e-3 --out $scene
+    ffstudy form-factors $scene.obj --tolerance 1e-3 --out $scene
     expect_status 0
     expect_stdout "All 6 pairs of faces are within 0.001."
 done
@@ -63,6 +63,6 @@ printf '%s\n' '[[surface]]' 'face = "wall"' 'shape = "cylinder"' 'base = [0, 0, 
     'facing = "inward"' '[[surface]]' 'face = "lid"' 'shape = "disc"' 'centre = [0, 0, 2]' 'radius = 2' 'normal = [0, 0, -1]' \
     '[[surface]]' 'face = "can"' 'shape = "cylinder"' 'base = [0, 0, 0]' 'axis = [0, 0, 1]' 'radius = 1' 'facing = "outward"' \
     '[[surface]]' 'face = "can"' 'shape = "disc"' 'centre = [0, 0, 1]' 'radius = 1' 'normal = [0, 0, 1]' >>can.toml
-ffstudy form_factors can.toml --tolerance 1e-2
+ffstudy form-factors can.toml --tolerance 1e-2
 expect_status 4
 expect_stderr "a body that stands on the face may cover part of it"

@@ -67,7 +67,7 @@ for arguments in "run $folder/study.toml --out mine" "report mine" "report whole
     expect_status 0
 done
 for _ in 1 2; do
-    ffstudy form_factors cube --out matrix
+    ffstudy form-factors cube --out matrix
     expect_status 0
     ffstudy check "$folder/bands.toml" --out gates
     expect_status 0

@@ -92,32 +92,32 @@ PYTHON
 
 all=view3d,energyplus,moose,openfoam,elmer
 blocks obj "$root/docs/scenes.md" 1 >furnace.obj
-ffstudy form_factors furnace.obj --tolerance 1e-3 --out plain --format $all
+ffstudy form-factors furnace.obj --tolerance 1e-3 --out plain --format $all
 expect_status 0
 /usr/bin/python3 "$folder/read.py" plain form_factors closed || fail "the estimates are not what was handed on"
 cp -r plain broken && sed -i '$d' broken/ViewFactors.dat
 ! /usr/bin/python3 "$folder/read.py" broken form_factors closed 2>/dev/null || fail "a lost line was not noticed"
 # Later, and repaired.
-ffstudy form_factors --load plain --repair --out repaired --format $all --quiet
+ffstudy form-factors --load plain --repair --out repaired --format $all --quiet
 expect_status 0
 /usr/bin/python3 "$folder/read.py" repaired repaired closed || fail "the repaired matrix is not what was handed on"
 # An open scene.
 mkdir open && sed "/closed/d" furnace.obj >open/furnace.obj
-ffstudy form_factors open/furnace.obj --tolerance 1e-3 --out of_open --format view3d,energyplus,openfoam,elmer
+ffstudy form-factors open/furnace.obj --tolerance 1e-3 --out of_open --format view3d,energyplus,openfoam,elmer
 expect_status 0
 /usr/bin/python3 "$folder/read.py" of_open form_factors open || fail "the open scene is not what was handed on"
 
 # What a format cannot say is refused before anything is computed.
 mv open "$folder" && rm -r ./*
-ffstudy form_factors "$folder/open/furnace.obj" --format moose --out out
+ffstudy form-factors "$folder/open/furnace.obj" --format moose --out out
 expect_refused 2 "is open (rows have to add up to 1 there)"
 sed 's/south/FLOOR/' "$folder/open/furnace.obj" >"$folder/twice.obj"
-ffstudy form_factors "$folder/twice.obj" --format energyplus --out out
+ffstudy form-factors "$folder/twice.obj" --format energyplus --out out
 expect_refused 2 "two faces are 'FLOOR' in capitals"
 sed 's/south/a;b/' "$folder/open/furnace.obj" >"$folder/mark.obj"
-ffstudy form_factors "$folder/mark.obj" --format energyplus --out out
+ffstudy form-factors "$folder/mark.obj" --format energyplus --out out
 expect_refused 2 "face 'a;b'"
-ffstudy form_factors cube --format energyplu --out out
+ffstudy form-factors cube --format energyplu --out out
 expect_refused 2 "Did you mean 'energyplus'?"
-ffstudy form_factors cube --format elmer
+ffstudy form-factors cube --format elmer
 expect_refused 2 "--out"

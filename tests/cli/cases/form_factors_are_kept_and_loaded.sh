@@ -4,10 +4,10 @@ root=$(cd "$(dirname "$0")/../../.." && pwd)
 source "$(dirname "$0")/../harness.sh"
 
 blocks obj "$root/docs/scenes.md" >furnace.obj
-ffstudy form_factors furnace.obj --tolerance 1e-3 --out plain
+ffstudy form-factors furnace.obj --tolerance 1e-3 --out plain
 expect_status 0
 cp "$folder/stdout" "$folder/plain"
-ffstudy form_factors furnace.obj --tolerance 1e-3 --repair --out repaired
+ffstudy form-factors furnace.obj --tolerance 1e-3 --repair --out repaired
 expect_status 0
 cp "$folder/stdout" "$folder/repaired"
 rm furnace.obj
@@ -22,39 +22,39 @@ expect_same() {
 }
 
 for run in plain repaired; do
-    ffstudy form_factors --load $run --out again_$run
+    ffstudy form-factors --load $run --out again_$run
     expect_status 0
     expect_no_stderr
     expect_equal_files "$folder/$run" "$folder/stdout"
     expect_same $run again_$run
     expect_equal_files $run/context.json again_$run/context.json
-    ffstudy form_factors --load $run/form_factors.sqlite
+    ffstudy form-factors --load $run/form_factors.sqlite
     expect_status 0
     expect_equal_files "$folder/$run" "$folder/stdout"
 done
 
 # A matrix is repaired later as it would have been at once.
-ffstudy form_factors --load plain --repair --out later
+ffstudy form-factors --load plain --repair --out later
 expect_status 0
 expect_equal_files "$folder/repaired" "$folder/stdout"
 expect_same repaired later
 
 # It can be repaired in its own folder; a file that a killed run left there does not prevent it.
 : >plain/.ffstudy-part-0
-ffstudy form_factors --load plain --repair --out plain --quiet
+ffstudy form-factors --load plain --repair --out plain --quiet
 expect_status 0
 expect_no_stdout
 expect_same later plain
 [ ! -e plain/.ffstudy-part-0 ] || fail "expected what a killed run has left to be removed"
 
 # What is not within the tolerance is not when it is loaded either.
-ffstudy form_factors coaxial_discs_equal --max-samples 1000000 --out missed
+ffstudy form-factors coaxial_discs_equal --max-samples 1000000 --out missed
 expect_status 4
 cp "$folder/stdout" "$folder/missed"
-ffstudy form_factors --load missed
+ffstudy form-factors --load missed
 expect_status 4
 expect_equal_files "$folder/missed" "$folder/stdout"
-ffstudy form_factors --load missed --repair
+ffstudy form-factors --load missed --repair
 expect_status 2
 expect_stderr "is not said to be closed"
 
@@ -82,7 +82,7 @@ done
 # Where the disk is full nothing is left that looks like a file.
 (
     ulimit -f 12  # KiB
-    ffstudy form_factors cube --out full
+    ffstudy form-factors cube --out full
     expect_status 3
     expect_stderr "form_factors.sqlite"
     [ -z "$(ls full)" ] || fail "expected no files, found: $(ls full)"
@@ -92,24 +92,24 @@ done
 cp results/furnace/form_factors.sqlite "$folder/store.sqlite"
 head -c 9000 missed/form_factors.sqlite >"$folder/half"
 mkdir "$folder/refused" && cd "$folder/refused"
-ffstudy form_factors --load missing
+ffstudy form-factors --load missing
 expect_refused 3 "missing: no such file"
 echo "neither SQLite nor anything else" >"$folder/text"
-ffstudy form_factors --load "$folder/text"
+ffstudy form-factors --load "$folder/text"
 expect_refused 2 "no SQLite file"
 /usr/bin/python3 -c "
 import sqlite3, sys
 sqlite3.connect('$folder/store.sqlite').executescript('UPDATE about SET value = 99 WHERE key = \'schema_version\'')"
-ffstudy form_factors --load "$folder/store.sqlite" --out out
+ffstudy form-factors --load "$folder/store.sqlite" --out out
 expect_refused 2 "schema version 99 (this program reads 1 to 3)"
-ffstudy form_factors --load "$folder/half" --out out
+ffstudy form-factors --load "$folder/half" --out out
 expect_refused 3 "half"
-ffstudy form_factors --load "$folder/store.sqlite" cube
+ffstudy form-factors --load "$folder/store.sqlite" cube
 expect_refused 2 "SCENE"
 for option in "--tolerance 1e-3" "--level 0.9" --simultaneous "--seed 2" "--threads 2" "--max-time 1m" "--max-samples 5"; do
     # shellcheck disable=SC2086  # two words
-    ffstudy form_factors --load "$folder/store.sqlite" $option
+    ffstudy form-factors --load "$folder/store.sqlite" $option
     expect_refused 2 "${option%% *}"
 done
-ffstudy form_factors
+ffstudy form-factors
 expect_refused 2 "SCENE is missing"

@@ -33,7 +33,7 @@ for work in 1 2 4 8 16 32 64 128 256 512 1024 2048 4096; do
     awk -F, -v exact="$exact" '$1 == 1 && $2 == 2 {found = $4 <= exact && exact <= $5 && $11 == 0} END {exit !found}' \
         stopped/matrix.csv || fail "the interval does not hold $exact: $(cat stopped/matrix.csv)"
     cp "$folder/stdout" "$folder/stopped"
-    ffstudy form_factors --load stopped
+    ffstudy form-factors --load stopped
     expect_status 4
     expect_equal_files "$folder/stopped" "$folder/stdout"
     ! grep -q ",rays," stopped/matrix.csv || break
@@ -56,7 +56,7 @@ until stopped_at_once; do try_again "expected nothing to be left by a second sig
 expect_status 130
 
 # Running out of time is not an interruption.
-ffstudy form_factors discs_blocked --tolerance 1e-6 --max-samples 1000000000000 --max-time 0.1 --out in_time
+ffstudy form-factors discs_blocked --tolerance 1e-6 --max-samples 1000000000000 --max-time 0.1 --out in_time
 expect_status 4
 expect_stdout "Stopped before the sampling was done"
 expect_file in_time/form_factors.sqlite

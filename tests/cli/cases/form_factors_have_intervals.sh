@@ -7,7 +7,7 @@ source "$(dirname "$0")/../harness.sh"
 blocks obj "$root/docs/scenes.md" >furnace.obj
 blocks "" "$root/docs/form-factors.md" 1 | sed '1d' >"$folder/promised"
 [ "$(wc -l <"$folder/promised")" -gt 15 ] || fail "docs/form-factors.md does not show the furnace"
-ffstudy form_factors furnace.obj --repair --out results/furnace
+ffstudy form-factors furnace.obj --repair --out results/furnace
 expect_status 0
 expect_no_stderr
 expect_equal_files "$folder/promised" "$folder/stdout"
@@ -40,10 +40,10 @@ for word in $(head -n 1 results/furnace/matrix.csv | tr , ' ') \
 done
 
 # A budget that is too small: the pairs are named, the intervals are wide, and the exit code says so.
-ffstudy form_factors coaxial_discs_equal --max-samples 1000000
+ffstudy form-factors coaxial_discs_equal --max-samples 1000000
 expect_status 4
 expect_stdout "1 of 3 pairs of faces is NOT within 1e-05: 1-2 (±"
-ffstudy form_factors discs_blocked --tolerance 2e-6 --max-time 0.1
+ffstudy form-factors discs_blocked --tolerance 2e-6 --max-time 0.1
 expect_status 4
 expect_stdout "NOT within 2e-06: 1-"
 
@@ -56,7 +56,7 @@ can() {
 for place in "0 " "4600000 " "0 e20" "0 e-20"; do
     read -r at size <<<"$place" || true
     can "$at" "$size" >can.toml
-    ffstudy form_factors can.toml --tolerance 1e-3 --out can
+    ffstudy form-factors can.toml --tolerance 1e-3 --out can
     expect_status 0
     awk -F, '$1 == "base" && $2 == "top" && ($4 > 0.1715729 || $5 < 0.1715728) { exit 1 }' can/matrix.csv ||
         fail "the base of a can at $at, size 1$size sees $(grep base,top can/matrix.csv)"
@@ -64,38 +64,38 @@ done
 printf '[[surface]]\nface = "picture"\nshape = "disc"\ncentre = [0, 0, 0]\nnormal = [0, 0, 1]\nradius = 0.3\n' >>can.toml
 can 0 "" >over.toml
 tail -n 6 can.toml >>over.toml
-ffstudy form_factors over.toml --tolerance 1e-2
+ffstudy form-factors over.toml --tolerance 1e-2
 expect_status 4
 expect_stderr "faces 'base' and 'picture' lie over each other in one plane"
 rm -r can
 
 # A closed scene with a hole, and without one where closure is asked for.
 sed '/^g roof/,/^g south/{/^f/d;/^g roof/d}' furnace.obj >open.obj
-ffstudy form_factors open.obj --tolerance 1e-3
+ffstudy form-factors open.obj --tolerance 1e-3
 expect_status 4
 expect_stderr "is said to be closed, but the rows of"
 expect_stdout "NOT to be trusted (see the warnings)"
 
 rm -r results ./*.obj ./*.toml
-ffstudy form_factors cube --tolerance 1e-15
+ffstudy form-factors cube --tolerance 1e-15
 expect_refused 2 "--tolerance 1e-15"
-ffstudy form_factors cube --level 1
+ffstudy form-factors cube --level 1
 expect_refused 2 "--level 1"
-ffstudy form_factors coaxial_discs_equal --tolerance 1e-8 --out out
+ffstudy form-factors coaxial_discs_equal --tolerance 1e-8 --out out
 expect_refused 2 "have to be sampled by rays"
-ffstudy form_factors squares_blocked --repair --out out
+ffstudy form-factors squares_blocked --repair --out out
 expect_refused 2 "is not said to be closed"
-ffstudy form_factors coaxial_discs_equal --max-samples 1000
+ffstudy form-factors coaxial_discs_equal --max-samples 1000
 expect_refused 2 "--max-samples 1000 (the smallest rounds of this scene take"
-ffstudy form_factors kube
+ffstudy form-factors kube
 expect_refused 2 "kube"
-ffstudy form_factors missing.obj
+ffstudy form-factors missing.obj
 expect_refused 3 "missing.obj"
 
 # A point that sees nothing leaves no line in the table, and is named instead.
-ffstudy form_factors box:4x3x2.5 --from point:2,1.5,0,0,0,-1
+ffstudy form-factors box:4x3x2.5 --from point:2,1.5,0,0,0,-1
 expect_status 0
 expect_stderr "note: no face is seen from point 1"
 printf 'x,y,z,nx,ny,nz\n2,1.5,1,0,0,1\n2,1.5,0,0,0,-1\n2,1,0,0,0,-1\n' >sensors.csv
-ffstudy form_factors box:4x3x2.5 --from sensors.csv
+ffstudy form-factors box:4x3x2.5 --from sensors.csv
 expect_stderr "note: no face is seen from 2 of 3 points (the first is point 2)"

@@ -67,7 +67,7 @@ for of in factor flux; do
 done
 
 # The same from a kept matrix, whose intervals have to hold all at once; Gebhart factors add up to 1.
-ffstudy form_factors furnace.obj --simultaneous --tolerance 1e-4 --out kept --quiet
+ffstudy form-factors furnace.obj --simultaneous --tolerance 1e-4 --out kept --quiet
 ffstudy heat --load kept --materials materials.toml --out loaded --gebhart
 expect_equal_files "$folder/promised" "$folder/stdout"
 expect_equal_files heat/heat.csv loaded/heat.csv
@@ -84,10 +84,10 @@ for (a, b), (low, high) in script.items():
     back = script[b, a]
     assert areas[a] * low <= areas[b] * back[1] and areas[b] * back[0] <= areas[a] * high, (a, b)
 PYTHON
-ffstudy form_factors furnace.obj --tolerance 1e-2 --out one_by_one --quiet
+ffstudy form-factors furnace.obj --tolerance 1e-2 --out one_by_one --quiet
 ffstudy heat --load one_by_one --materials materials.toml
 expect_status 2
-expect_stderr "Run 'ffstudy form_factors' again with --simultaneous."
+expect_stderr "Run 'ffstudy form-factors' again with --simultaneous."
 ffstudy heat --materials materials.toml
 expect_status 2
 expect_stderr "SCENE is missing"

@@ -18,6 +18,17 @@ cp "$folder/stdout" "$folder/help"
 ffstudy help check
 diff "$folder/help" "$folder/stdout" >&2 || fail "expected the help of check"
 
+# Options in a reader's words, not in those of the parser; commands also by their former names.
+for command in form-factors form_factors heat check; do
+    ffstudy help $command
+    expect_status 0
+    ! grep -E "Excludes|Needs:|UINT|FLOAT|TEXT|:\{" "$folder/stdout" >&2 || fail "expected no words of the parser"
+done
+ffstudy form-factors --help
+expect_stdout "--seed N                    Seed of all random numbers (default: 1)"
+ffstudy form_factors cube --quiet
+expect_status 0
+
 # What there is, for a reader and for a program.
 for command in list explain; do
     ffstudy $command

@@ -6,7 +6,7 @@ root=$(cd "$(dirname "$0")/../../.." && pwd)
 source "$(dirname "$0")/../harness.sh"
 
 blocks obj "$root/docs/scenes.md" >furnace.obj
-ffstudy form_factors furnace.obj --tolerance 1e-3 --out results/furnace
+ffstudy form-factors furnace.obj --tolerance 1e-3 --out results/furnace
 expect_status 0
 blocks python "$root/docs/form-factors.md" 1 >load.py
 cat >>load.py <<'END'

@@ -21,12 +21,12 @@ expect_same_matrix() {
     done
 }
 
-ffstudy form_factors "${options[@]}" --out whole
+ffstudy form-factors "${options[@]}" --out whole
 expect_status 0
 [ ! -e whole/rows.sqlite ] || fail "expected the rows to be gone when the matrix is whole"
 
 for i in 1 2 3; do
-    ffstudy form_factors "${options[@]}" --shard $i/3 --threads $i --out part$i
+    ffstudy form-factors "${options[@]}" --shard $i/3 --threads $i --out part$i
     expect_status 0
     expect_stdout "shard $i/3 is complete: part$i/rows.sqlite"
     [ "$(ls part$i)" = rows.sqlite ] || fail "expected a shard to leave its rows only"
@@ -40,7 +40,7 @@ expect_no_stderr
 expect_same_matrix whole merged
 
 # Shards that follow each other in one folder are a whole run.
-for i in 2 3 1; do ffstudy form_factors "${options[@]}" --shard $i/3 --out together; done
+for i in 2 3 1; do ffstudy form-factors "${options[@]}" --shard $i/3 --out together; done
 expect_same_matrix whole together
 
 # Killed again and again while rows are kept, and stopped by limits.
@@ -55,14 +55,14 @@ while [ $kills -lt 4 ]; do
     finish
     if [ -s killed/rows.sqlite ]; then kills=$((kills + 1)); else rm -rf killed; fi
 done
-ffstudy form_factors "${options[@]}" --max-memory 1M --out killed
+ffstudy form-factors "${options[@]}" --max-memory 1M --out killed
 [ "$status" -eq 130 ] || [ -e killed/areas.npy ] || fail "expected the limit of memory to stop the run"
-ffstudy form_factors "${options[@]}" --out killed
+ffstudy form-factors "${options[@]}" --out killed
 expect_status 0
 expect_same_matrix whole killed
 
 # Rows of another matrix are not taken, nor damaged ones.
-ffstudy form_factors "$folder/tiles.toml" --tolerance 2e-3 --out part1
+ffstudy form-factors "$folder/tiles.toml" --tolerance 2e-3 --out part1
 expect_status 2
 expect_stderr "rows of another matrix (its tolerance is "
 ffstudy merge part1 part2 part3 --out part1
@@ -74,25 +74,25 @@ ffstudy merge damaged part2 part3 --out from_damaged
 expect_status 3
 expect_stderr "damaged"
 
-ffstudy form_factors "${options[@]}" --dry-run
+ffstudy form-factors "${options[@]}" --dry-run
 expect_status 0
 expect_stdout "73 faces of "
 expect_stdout "of processor time"
 expect_no_stderr
-ffstudy form_factors "${options[@]}" --shard 1/2
+ffstudy form-factors "${options[@]}" --shard 1/2
 expect_status 2
 expect_stderr "--shard"
 
 # Pairs with small factors are summed up, not listed.
-ffstudy form_factors "${options[@]}" --drop 0.01 --out dropped
+ffstudy form-factors "${options[@]}" --drop 0.01 --out dropped
 expect_status 0
 expect_stdout "both factors are below 0.01"
 expect_stdout "Dropped of a row is at most "
 expect_in_file dropped/form_factors.json '"dropped_high": '
 expect_in_file dropped/form_factors.json '"leaves_low": '
 cp "$folder/stdout" "$folder/text"
-ffstudy form_factors --load dropped
+ffstudy form-factors --load dropped
 expect_equal_files "$folder/text" "$folder/stdout"
-ffstudy form_factors --load dropped --repair
+ffstudy form-factors --load dropped --repair
 expect_status 2
 expect_stderr "--repair: the matrix was made with --drop 0.01"

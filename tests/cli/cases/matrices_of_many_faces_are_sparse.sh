@@ -11,7 +11,7 @@ awk 'BEGIN {
     }
     printf "g high\nv 0 0 900\nv 0 65 900\nv 64 65 900\nv 64 0 900\nf -4 -3 -2 -1\n"
 }' </dev/null >plates.obj
-ffstudy form_factors plates.obj --surroundings sky --repair --text --randomisations --out all
+ffstudy form-factors plates.obj --surroundings sky --repair --text --randomisations --out all
 expect_status 0
 expect_stdout "plates.obj: 4162 faces"
 expect_stdout "Repaired: row sums off 1 by up to"
@@ -19,7 +19,7 @@ expect_stdout "Repaired: row sums off 1 by up to"
 [ "$(wc -l <all/matrix.csv)" -eq 16643 ] || fail "expected 2 * (4160 * 2 + 1) entries, found $(wc -l <all/matrix.csv)"
 head -1 all/repaired.mtx | grep -q coordinate || fail "expected a sparse file"
 [ "$(sed -n 3p all/repaired.mtx)" = "4162 4162 16642" ] || fail "unexpected: $(sed -n 3p all/repaired.mtx)"
-ffstudy form_factors --load all --out again
+ffstudy form-factors --load all --out again
 expect_status 0
 [ ! -e again/matrix.csv ] && [ ! -e again/repaired.mtx ] || fail "expected no text files without --text"
 for file in form_factors repaired half_widths; do expect_equal_files all/$file.npz again/$file.npz; done

@@ -77,7 +77,7 @@ json.dump({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(ra
                                               base64.b64encode(data).decode()}]}, open("room.gltf", "w"))
 PYTHON
 
-ffstudy form_factors box:4x3x2.5 --out box --quiet
+ffstudy form-factors box:4x3x2.5 --out box --quiet
 expect_status 0
 # expect_box FOLDER: the factors are those of the box, whose faces are in another order.
 expect_box() {
@@ -94,47 +94,47 @@ for i, a in enumerate(order):
 PYTHON
 }
 for file in room.stl room.gltf; do
-    ffstudy form_factors $file --closed --out of_$file
+    ffstudy form-factors $file --closed --out of_$file
     expect_status 0
     expect_stdout "F from           to floor            to roof           to south            to east"
     expect_box of_$file
 done
-ffstudy form_factors binary.stl --closed
+ffstudy form-factors binary.stl --closed
 expect_status 0
 expect_stdout "1 face of 12 surfaces, joined to 6"
 for file in room.ply room.off; do
-    ffstudy form_factors $file --closed --faces polygon --out of_$file
+    ffstudy form-factors $file --closed --faces polygon --out of_$file
     expect_status 0
     expect_box of_$file
 done
 
 for file in room.vtk room.vtu room.msh; do
-    ffstudy form_factors $file --closed --out of_$file
+    ffstudy form-factors $file --closed --out of_$file
     expect_status 0
     expect_box of_$file
 done
 expect_stdout "F from           to floor            to roof           to south            to east"
-ffstudy form_factors room.vtu --closed
+ffstudy form-factors room.vtu --closed
 expect_stderr "1 volume cell is left out"
 head -c 300 room.msh >"$folder/cut.msh"
 
 # A zone is chosen; what is handed back has its name and those of its surfaces.
-ffstudy form_factors room.epJSON --out of_epjson --format energyplus
+ffstudy form-factors room.epJSON --out of_epjson --format energyplus
 expect_status 0
 expect_box of_epjson
 grep -qx "  Living room,  !- Zone or ZoneList or Space or SpaceList Name" of_epjson/energyplus.idf || fail "expected the zone's name"
-ffstudy form_factors room.IDF --zone attic --out of_idf --format energyplus
+ffstudy form-factors room.IDF --zone attic --out of_idf --format energyplus
 expect_status 0
 expect_box of_idf
 grep -q "^  floor above, roof above, 0" of_idf/energyplus.idf || fail "expected the names of surfaces"
-ffstudy form_factors --load of_idf
+ffstudy form-factors --load of_idf
 expect_stdout "room.IDF zone:Attic: 6 faces"
 ffstudy explain "room.IDF zone:living room"
 expect_status 0
 expect_stdout "roof: area 12"
 
 # Materials are faces, and names in a materials file; the store needs the mesh no longer.
-ffstudy form_factors room.gltf --closed --faces material --out materials
+ffstudy form-factors room.gltf --closed --faces material --out materials
 expect_status 0
 expect_stdout "red_brick"
 printf '[materials]\nred_brick = { emissivity = 0.9, temperature = 300 }\nsteel = { emissivity = 0.3, temperature = 400 }\n' >m.toml
@@ -142,7 +142,7 @@ ffstudy heat room.gltf --closed --materials m.toml
 expect_status 0
 expect_stdout "floor"
 rm room.gltf
-ffstudy form_factors --load materials
+ffstudy form-factors --load materials
 expect_status 0
 
 # A study has meshes, too.
@@ -152,15 +152,15 @@ expect_status 0
 expect_stdout "roof: area 12"
 
 echo "solid nothing" >"$folder/bad.stl"
-ffstudy form_factors "$folder/bad.stl" --out out
+ffstudy form-factors "$folder/bad.stl" --out out
 expect_refused 2 "bad.stl:2: solid nothing: it ends here, and more has to follow (it was cut off)"
-ffstudy form_factors "$folder/cut.msh" --out out
+ffstudy form-factors "$folder/cut.msh" --out out
 expect_refused 2 "cut.msh:29: \$Elements: it ends here, and more has to follow (it was cut off). Write it again."
-ffstudy form_factors "$folder/room.IDF" --out out
+ffstudy form-factors "$folder/room.IDF" --out out
 expect_refused 2 "2 zones (an enclosure is one of them): 'Living room', 'Attic'. Choose by --zone"
-ffstudy form_factors cube --zone attic
+ffstudy form-factors cube --zone attic
 expect_refused 2 "'cube' is no input file of EnergyPlus"
-ffstudy form_factors missing.glb --out out
+ffstudy form-factors missing.glb --out out
 expect_refused 3 "missing.glb: cannot be read (No such file or directory)"
-ffstudy form_factors cube --faces material
+ffstudy form-factors cube --faces material
 expect_refused 2 "neither an OBJ file nor a mesh"

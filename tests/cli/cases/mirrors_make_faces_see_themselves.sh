@@ -110,6 +110,6 @@ study 'scene = "silo.toml"' "$rays" "$light" >pieces.toml
 refused pieces.toml "patch_trials in scene 'silo.toml'"
 study 'scene = "l_shaped_room"' "$round" '[radiosity]' >corner.toml
 refused corner.toml "something may stand between its faces"
-ffstudy form_factors "cube mirrors:6"
+ffstudy form-factors "cube mirrors:6"
 expect_status 2
 expect_stderr "does not follow reflected light"

@@ -14,7 +14,7 @@ if ldd "$program" | grep -q libtsan; then exit; fi
     ffstudy run "$folder/study.toml" --threads 3 --out "$folder/other"
     expect_refused 2 "ffstudy: 3 threads (the system started 0 of them: "
     expect_stderr "Take fewer with --threads."
-    ffstudy form_factors nested_cubes --threads 3
+    ffstudy form-factors nested_cubes --threads 3
     expect_refused 2 "ffstudy: 3 threads (the system started 0 of them: "
 )
 ffstudy run "$folder/study.toml" --threads 3 --out "$folder/other"

@@ -4,14 +4,14 @@ root=$(cd "$(dirname "$0")/../../.." && pwd)
 source "$(dirname "$0")/../harness.sh"
 
 blocks obj "$root/docs/scenes.md" >furnace.obj
-ffstudy form_factors furnace.obj --tolerance 1e-3 --out 0 --quiet
+ffstudy form-factors furnace.obj --tolerance 1e-3 --out 0 --quiet
 expect_status 0
 before=furnace.obj
 for next in 1.vs3 2.toml 3.obj; do
     ffstudy convert $before $next
     expect_status 0
     expect_stdout "$next: 7 faces of 18 surfaces"
-    ffstudy form_factors $next --tolerance 1e-3 --out $next.out --quiet
+    ffstudy form-factors $next --tolerance 1e-3 --out $next.out --quiet
     expect_status 0
     expect_equal_files 0/matrix.csv $next.out/matrix.csv
     before=$next
@@ -42,7 +42,7 @@ ffstudy convert spheres.toml spheres.obj --facets 12
 expect_status 0
 expect_stderr "2 curved surfaces became polygons that are off by at most 0.136"
 expect_stderr "1 name was changed, since blanks"
-ffstudy form_factors spheres.obj --tolerance 1e-2 --out spheres --quiet
+ffstudy form-factors spheres.obj --tolerance 1e-2 --out spheres --quiet
 expect_status 0
 awk -F, '$1 == "inner_sphere" && $2 == "outer" {found = $3 > 0.99 && $3 < 1.01} END {exit !found}' spheres/matrix.csv ||
     fail "unexpected: $(cat spheres/matrix.csv)"
@@ -58,9 +58,9 @@ ffstudy convert furnace.obj upright.obj --up y --scale 0.001
 expect_status 0
 expect_stderr "its lengths are multiplied by 0.001"
 expect_stderr "its y axis, which points up, becomes the z axis"
-ffstudy form_factors upright.obj --tolerance 1e-3 --out upright --quiet
+ffstudy form-factors upright.obj --tolerance 1e-3 --out upright --quiet
 expect_status 0
-ffstudy form_factors furnace.obj --up y --scale 0.001 --tolerance 1e-3 --out option --quiet
+ffstudy form-factors furnace.obj --up y --scale 0.001 --tolerance 1e-3 --out option --quiet
 expect_status 0
 for folder in option upright; do awk 'FNR > 2 {printf "%.9e\n", $NF}' $folder/areas.mtx >$folder.areas; done
 expect_equal_files option.areas upright.areas

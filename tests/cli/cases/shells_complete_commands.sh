@@ -27,9 +27,9 @@ for shell in ${other_shells:-bash}; do
     types $shell 'ffstudy report nowhere --fo\tcsv,htm\t --qui\t'
     expect_stdout "nowhere"
     ! grep -Fq "is unknown" "$folder/stdout" || fail "expected a format"
-    types $shell 'ffstudy form_factors squares_blocked:\t --tol\t0.1'
+    types $shell 'ffstudy form-factors squares_blocked:\t --tol\t0.1'
     expect_stdout "are within 0.1"
-    types $shell 'ffstudy form_factors --load=stud\t'
+    types $shell 'ffstudy form-factors --load=stud\t'
     expect_stdout "ffstudy: studies"
     types $shell 'ffstudy list --help; ffstudy report nowhere --format=csv,mark\t; ls'
     expect_stdout "nowhere"

@@ -1,4 +1,5 @@
 #include "reports/text/text_table.hpp"
+#include "reports/text/folding.hpp"
 
 #include <gtest/gtest.h>
 

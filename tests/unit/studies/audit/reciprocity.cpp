@@ -184,7 +184,7 @@ std::vector<std::string> printed_both_ways(const std::string& there, const std::
     return rows;
 }
 
-// F 2-4 = 0.0782183, F 4-2 = 0.0651819 (areas 400 and 480): ffstudy form_factors box:50x60x8
+// F 2-4 = 0.0782183, F 4-2 = 0.0651819 (areas 400 and 480): ffstudy form-factors box:50x60x8
 TEST(Reciprocity, BlamesEqualFiguresThatContradictExactValues) {
     for (const auto& [there, back, wrong, meant] : {std::array{"0.078218", "0.065128", "0.065128", "0.065182"},
                                                     std::array{"0.078128", "0.065182", "0.078128", "0.078218"}}) {
