@@ -58,7 +58,6 @@ enum class Relations { known, in_words };
 
 void add_command(CLI::App& app, const CommandDefinition& definition, Relations relations) {
     CLI::App* command = app.add_subcommand(definition.name, definition.summary)->group(definition.group);
-    if (!definition.former_name.empty()) command->alias(definition.former_name);
     if (definition.unparsed != nullptr) {
         command->set_help_flag();
         command->prefix_command();
@@ -242,12 +241,22 @@ const CommandDefinition& find_definition(const ProgramDefinition& program, const
                          [&](const CommandDefinition& command) { return command.name == name; });
 }
 
+/// The name of the command that had this one, or the word as it is.
+const char* present_name(const ProgramDefinition& program, const char* word) {
+    for (const CommandDefinition& command : program.commands) {
+        if (!command.former_name.empty() && command.former_name == word) return command.name.c_str();
+    }
+    return word;
+}
+
 }  // namespace
 
 ParsedCommandLine parse(const ProgramDefinition& program, std::span<char* const> arguments, std::size_t columns) {
     const auto app = make_app(program, Relations::known);
+    std::vector<const char*> words(arguments.begin(), arguments.end());
+    if (words.size() > 1) words[1] = present_name(program, words[1]);
     try {
-        app->parse(static_cast<int>(arguments.size()), arguments.data());
+        app->parse(static_cast<int>(words.size()), words.data());
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() != 0) refuse(*app, error);
         if (dynamic_cast<const CLI::CallForHelp*>(&error) == nullptr) return {nullptr, app->version() + "\n"};
@@ -267,9 +276,10 @@ std::string help_of(const ProgramDefinition& program, const std::string& command
     lay_out_help(*app, columns);
     // Not app->help(), which is that of the command that was given.
     if (command.empty()) return app->get_formatter()->make_help(app.get(), app->get_name(), CLI::AppFormatMode::Normal);
-    const auto meant = app->get_subcommands([&](const CLI::App* each) { return each->check_name(command); });
-    if (!meant.empty()) return meant.front()->help(app->get_name());
     const auto names = command_names(model_of_program(*app));
+    const std::string name = present_name(program, command.c_str());
+    if (std::find(names.begin(), names.end(), name) != names.end())
+        return app->get_subcommand(name)->help(app->get_name());
     const std::vector<std::string_view> known(names.begin(), names.end());
     throw UserError(
         fmt::format("unknown command '{}'. {}See 'ffstudy --help'.", command, did_you_mean(command, known)));

@@ -225,7 +225,7 @@ bool compute_form_factors(const FormFactorsCommand& command, studies::form_facto
     if (!command.quiet) {
         for (const std::string& note : doubts.notes) say("note: {}\n", note);
     }
-    stop_in_order_on_signals();
+    stop_gracefully_on_signals();
     const auto start = std::chrono::steady_clock::now();
     const auto seconds = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -170,7 +170,7 @@ ExitCode run(const RunCommand& command) {
     options.stop = &stop_flag();
     options.drop = &drop_flag();
     const char* const units = request.threads == 1 ? "the work unit" : "the work units";
-    stop_in_order_on_signals(
+    stop_gracefully_on_signals(
         command.quiet
             ? ""
             : fmt::format("\nstopping: finishing {} in progress, for two seconds at most; again to drop them\n",

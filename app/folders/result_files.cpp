@@ -230,7 +230,7 @@ Evaluated evaluate_until_stopped(const studies::Store& store) {
         end_on_signals(evaluated_again);
         return {studies::evaluate(store)};
     }
-    stop_in_order_on_signals();
+    stop_gracefully_on_signals();
     Evaluated evaluated{studies::evaluate(store, &stop_flag())};
     end_on_signals(evaluated_again);
     if (!evaluated.results.radiosity) return evaluated;

@@ -110,7 +110,7 @@ void end_on_signals(std::string words) {
     mean(Meaning::end, std::move(words));
 }
 
-void stop_in_order_on_signals(std::string words) {
+void stop_gracefully_on_signals(std::string words) {
     mean(Meaning::stop_then_end, std::move(words));
 }
 

@@ -15,7 +15,7 @@ void end_on_signals(std::string words);
 
 /// For work that is worth saving: the first signal only sets the flag, a second ends the program.
 /// @param words  printed to stderr by the first
-void stop_in_order_on_signals(std::string words = {});
+void stop_gracefully_on_signals(std::string words = {});
 
 /// For a process that another one waits for: signals only set the flag and never end the program.
 void never_end_on_signals();

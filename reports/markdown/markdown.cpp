@@ -71,7 +71,7 @@ std::string table_text(const studies::PublishedResults& published, std::size_t i
     out += "| |";
     std::string rule = "|---|";
     for (const std::string& column : table.column_titles) {
-        out += fmt::format(" {}: printed | ours | where it falls |", markdown_cell(column));
+        out += fmt::format(" {}: printed | ours | position |", markdown_cell(column));
         rule += "--:|--:|:--|";
     }
     out += "\n" + rule + "\n";
@@ -79,7 +79,7 @@ std::string table_text(const studies::PublishedResults& published, std::size_t i
     for (const auto& row : published_table(published, index, alpha).rows) {
         out += fmt::format("| {} |", markdown_cell(row.front().text));
         for (std::size_t column = 0; column < above.size(); ++column) {
-            const TableCell* const cell = &row[1 + 3 * column];  // printed, ours, where it falls
+            const TableCell* const cell = &row[1 + 3 * column];  // printed, ours, position
             const bool has_figure = !cell[0].text.empty();
             const std::string_view mark = cell[2].mark == Mark::surprising ? "**" : "";
             std::string text = " | | |";
@@ -120,7 +120,7 @@ std::string published_tables_section(const studies::StudyResults& results) {
         "*Printed* is the figure as published († : the audit finds that it contradicts others). *Ours* is the value of "
         "a deterministic method; of a sampled one the mean over trials and the range of {:g} % of single runs. ″: as "
         "in "
-        "the row above. *Where it falls*: (printed − mean) in standard deviations of a single run, and the share of "
+        "the row above. *Position*: (printed − mean) in standard deviations of a single run, and the share of "
         "our "
         "runs below it; bold where a run as described would give it, or something further out, less often than {:g} % "
         "allows over the whole table (Student t, Holm; χ² by Hotelling's T²).\n\n",

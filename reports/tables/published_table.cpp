@@ -37,7 +37,7 @@ Table published_table(const studies::PublishedResults& published, std::size_t in
     for (const std::string& column : printed.column_titles) {
         table.columns.push_back({"printed", true, column});
         table.columns.push_back({"ours", true, column});
-        table.columns.push_back({"where it falls", false, column});
+        table.columns.push_back({"position", false, column});
     }
     const std::size_t columns = printed.column_titles.size();
     for (std::size_t row = 0; row < printed.row_titles.size(); ++row) {

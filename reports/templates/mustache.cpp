@@ -86,7 +86,7 @@ std::string fill_template(const Templates& templates, std::string_view name, con
     const std::string file = fmt::format("{}{}", name, extension);
     mustache::mustache document(templates.text(file));
     if (!document.is_valid()) {
-        throw UserError(fmt::format("{}: malformed template ({}). Mend it.", file,
+        throw UserError(fmt::format("{}: malformed template ({}). Fix it.", file,
                                     studies::visible_text(excerpt(document.error_message()))));
     }
     document.set_custom_escape(escape);

@@ -53,7 +53,7 @@ KeyNumber contest_number(const studies::Analysis& findings, const Rivalry& rival
         number.value = fmt::format("{}: {} × better", better, ratio_text(rivalry));
         number.detail = rivalry.interval ? fmt::format("{}. {}", interval_text(*rivalry.interval), errors) : errors;
     } else {
-        number.value = "cannot be told apart";
+        number.value = "no difference shown";
         number.detail = rivalry.interval
                             ? fmt::format("The ratio of errors is {}. {}", interval_text(*rivalry.interval), errors)
                             : fmt::format("The variance of one is infinite, or its trials are too few. {}", errors);

@@ -1,6 +1,7 @@
 #include "studies/comparison/rivals.hpp"
 
 #include "samplers/sampler.hpp"
+#include "studies/comparison/ranking.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -65,7 +66,7 @@ std::vector<std::size_t> comparable_cells(const Analysis& findings, std::size_t 
 }
 
 std::optional<Rivalry> best_two(const Analysis& findings, std::size_t scene, PairClass pair_class,
-                                const std::vector<std::size_t>& cells) {
+                                const std::vector<std::size_t>& cells, double level) {
     const auto error = [&](std::size_t cell) { return findings.cells[cell].class_error(pair_class); };
     std::vector<std::size_t> ranking;
     std::copy_if(cells.begin(), cells.end(), std::back_inserter(ranking), error);
@@ -87,13 +88,12 @@ std::optional<Rivalry> best_two(const Analysis& findings, std::size_t scene, Pai
     const auto worse = log_of(ranking[1]);
     rivalry.doubtful = !better || !worse;
     if (rivalry.doubtful) return rivalry;
-    const double level = findings.plan.spec.level;
     const auto pairs = static_cast<double>(ranking.size() * (ranking.size() - 1)) / 2;
     const auto interval = ratio_interval(*better, *worse, 1 - (1 - level) / pairs);
     rivalry.apart = interval ? interval->low > 1 : *rivalry.ratio > 1;
     if (!interval || !interval->is_finite()) return rivalry;
     rivalry.interval = interval;
-    rivalry.interval->level = level;
+    rivalry.interval->level = findings.plan.spec.level;
     return rivalry;
 }
 
@@ -117,14 +117,19 @@ bool Rivalry::decided() const {
 }
 
 std::vector<Rivalry> find_rivals(const Analysis& findings, const std::vector<TableComparison>& published) {
-    std::vector<Rivalry> rivals;
-    for (std::size_t scene = 0; scene < findings.plan.scenes.size(); ++scene) {
-        const auto cells = compared_cells(findings, scene, published);
-        for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
-            if (const auto rivalry = best_two(findings, scene, pair_class, cells)) rivals.push_back(*rivalry);
+    const auto rivals_at = [&](double level) {
+        std::vector<Rivalry> rivals;
+        for (std::size_t scene = 0; scene < findings.plan.scenes.size(); ++scene) {
+            const auto cells = compared_cells(findings, scene, published);
+            for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+                if (const auto rivalry = best_two(findings, scene, pair_class, cells, level))
+                    rivals.push_back(*rivalry);
+            }
         }
-    }
-    return rivals;
+        return rivals;
+    };
+    const double level = findings.plan.spec.level;
+    return rivals_at(level_of_each(level, rivals_at(level).size()));
 }
 
 }  // namespace ff::studies

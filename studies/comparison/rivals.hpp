@@ -18,8 +18,9 @@ struct Rivalry {
     std::size_t better = 0;            ///< index into Analysis::cells
     std::optional<std::size_t> worse;  ///< empty where the study has one method only
     std::optional<double> ratio;       ///< RMSE of the worse / RMSE of the better; empty where that is rounding
-    /// Interval of the ratio, at the study's level over all pairs of methods from which these two are picked
-    /// (Bonferroni); empty where neither varies, where it is doubtful, and where an end would be infinite.
+    /// Interval of the ratio, at the study's level over all pairs of methods from which these two are picked, and over
+    /// all rivalries of the study (Bonferroni); empty where neither varies, where it is doubtful, and where an end
+    /// would be infinite.
     std::optional<stats::Interval> interval;
     bool apart = false;     ///< the interval lies above 1, or neither varies and the errors differ
     bool doubtful = false;  ///< one varies without an interval: its variance is infinite, or its trials are few

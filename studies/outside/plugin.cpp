@@ -43,10 +43,10 @@ auto call(const std::string& place, Call function) {
     try {
         return function();
     } catch (const std::exception& error) {
-        refuse(place, fmt::format("throws \"{}\" (functions of a plug-in return a number instead). Mend the plug-in.",
+        refuse(place, fmt::format("throws \"{}\" (functions of a plug-in return a number instead). Fix the plug-in.",
                                   excerpt(error.what())));
     } catch (...) {
-        refuse(place, "throws (functions of a plug-in return a number instead). Mend the plug-in.");
+        refuse(place, "throws (functions of a plug-in return a number instead). Fix the plug-in.");
     }
 }
 
@@ -96,7 +96,7 @@ void expect_sound_sampler(const ffstudy_sampler& sampler, const std::string& pla
         refuse(place,
                fmt::format("a sampler named \"{}\" (lower-case letters, digits and _). Rename it.", excerpt(name)));
     const auto wrong = [&](std::string_view what, std::string_view why) {
-        refuse(place, fmt::format("sampler \"{}\": {} ({}). Mend the plug-in.", name, what, why));
+        refuse(place, fmt::format("sampler \"{}\": {} ({}). Fix the plug-in.", name, what, why));
     };
     if (sampler.fill == nullptr && sampler.fill_block == nullptr)
         wrong("neither fill nor fill_block", "one of them makes the points");
@@ -170,7 +170,7 @@ std::vector<const samplers::CatalogueEntry*> load_plugin(const std::filesystem::
     if (entry == nullptr)
         refuse(shown, "no function ffstudy_samplers (a plug-in has it). Include <ffstudy/plugin.h> and define it.");
     const ffstudy_plugin* const plugin = call(shown, entry);
-    if (plugin == nullptr) refuse(shown, "ffstudy_samplers returns a null pointer (expected its table). Mend it.");
+    if (plugin == nullptr) refuse(shown, "ffstudy_samplers returns a null pointer (expected its table). Fix it.");
     if (plugin->version != FFSTUDY_PLUGIN_VERSION)
         refuse(shown,
                fmt::format("made for version {} of the interface (this program has {}). Build it again with this "

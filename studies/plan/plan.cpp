@@ -112,10 +112,10 @@ double evaluated_patches(const Method& method, const Scene& scene, Subdivision s
 void expect_feasible(const Method& method, const Scene& scene, const Cell& cell) {
     const std::uint64_t patches = cell.subdivision.patches(scene);
     if (patches > most_patches) {
-        throw UserError(fmt::format(
-            "method '{}': {} patches in scene '{}' (at most {} can be told apart). Take fewer patches per face, or "
-            "coarser grids.",
-            method.name, patches, scene.name, most_patches));
+        throw UserError(
+            fmt::format("method '{}': {} patches in scene '{}' (at most {}). Take fewer patches per face, or "
+                        "coarser grids.",
+                        method.name, patches, scene.name, most_patches));
     }
     const double evaluations =
         evaluated_patches(method, scene, cell.subdivision) * static_cast<double>(cell.samples_per_patch);

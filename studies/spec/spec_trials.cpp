@@ -16,7 +16,7 @@ constexpr std::uint64_t max_trials = 1ULL << 32;  // a stream addresses trials w
 std::string problem_with_trials(std::uint64_t trials) {
     if (trials == 0) return "(nothing would be run). Try 64.";
     if (trials == 1) return "(a confidence interval needs at least 2). Try 64.";
-    return trials <= max_trials ? "" : fmt::format("(at most {} trials are told apart). Take fewer.", max_trials);
+    return trials <= max_trials ? "" : fmt::format("(at most {} trials). Take fewer.", max_trials);
 }
 
 void set_trials(StudySpec& spec, std::uint64_t trials) {

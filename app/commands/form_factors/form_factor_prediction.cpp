@@ -55,7 +55,7 @@ ExitCode predict_form_factors(const studies::form_factors::KeptMatrix& kept) {
         else
             end = now;
     };
-    stop_in_order_on_signals();
+    stop_gracefully_on_signals();
     const auto matrix = studies::form_factors::find_matrix(kept.scene, request);
     if (matrix.interrupted) return ExitCode::interrupted;
     std::size_t to_sample = 0;

@@ -27,13 +27,14 @@ struct Leaders {
 
     [[nodiscard]] bool one() const { return names.size() == 1; }
 
-    /// "a and b", "all 5 methods"
+    /// "a and b", "the 5 methods"
     [[nodiscard]] std::string everyone() const {
-        return names.size() < 5 ? listed(names) : fmt::format("all {} methods", names.size());
+        return names.size() < 5 ? listed(names) : fmt::format("the {} methods", names.size());
     }
-    /// Words for several leaders: "a and b have the smallest errors and cannot be told apart".
+    /// Words for several leaders: "a and b have the smallest errors, with no difference shown between them".
     [[nodiscard]] std::string tied(std::string_view lead) const {
-        return fmt::format("{} cannot be told apart", all ? everyone() : fmt::format("{} {} and", listed(names), lead));
+        return all ? fmt::format("no difference is shown between {}", everyone())
+                   : fmt::format("{} {}, with no difference shown between them", listed(names), lead);
     }
 };
 
@@ -213,7 +214,7 @@ void rank_variances_of_size(const StudyResults& results, Ranking& ranking, doubl
     ranking.said = ranking.at + " ";
     const Leaders best = leaders(ranked, ranking.methods);
     if (best.all) {
-        ranking.said += fmt::format("the variances of {} cannot be told apart", best.everyone());
+        ranking.said += fmt::format("no difference is shown between the variances of {}", best.everyone());
     } else if (random_leads) {
         ranking.said += "no method is shown to have less variance than random points";
     } else {
@@ -279,7 +280,7 @@ std::string letter(std::span<const Ranked> ranked, const Ranked& one) {
 
 std::string letters_in_words(double level, std::string_view of) {
     return fmt::format(
-        "Methods with the same letter cannot be told apart from the first of them ({:g} % over all pairs of "
+        "Methods with the same letter are not shown to differ from the first of them ({:g} % over all pairs of "
         "methods{}).",
         100 * (1 - level), of);
 }
@@ -289,9 +290,10 @@ std::string smallest_errors(const studies::Analysis& findings, std::span<const s
     const auto ranked = studies::rank_errors(findings, cells, pair_class, findings.plan.spec.level);
     if (ranked.empty()) return {};
     const Leaders best = leading_sizes(findings.plan, ranked);
-    return fmt::format("{} {} (RMSE {})", listed(best.names),
-                       best.one() ? "has the smallest error" : "have the smallest errors and cannot be told apart",
-                       from_to(brief(best.best), brief(best.last)));
+    return fmt::format(
+        "{} {} (RMSE {})", listed(best.names),
+        best.one() ? "has the smallest error" : "have the smallest errors, with no difference shown between them",
+        from_to(brief(best.best), brief(best.last)));
 }
 
 std::string largest_efficiencies(const studies::Analysis& findings, std::span<const std::size_t> cells,
@@ -299,7 +301,7 @@ std::string largest_efficiencies(const studies::Analysis& findings, std::span<co
     const auto ranked = studies::rank_efforts(findings, cells, pair_class);
     if (ranked.size() < 2) return {};
     const Leaders best = leading_sizes(findings.plan, ranked);
-    if (best.all) return fmt::format("all {} cannot be told apart", ranked.size());
+    if (best.all) return fmt::format("no difference is shown between the {}", ranked.size());
     return fmt::format("{} {} most; the estimates of all {} span a factor of {}", listed(best.names),
                        best.one() ? "achieves" : "achieve", ranked.size(), brief(ranked.back().value / best.best));
 }

@@ -151,7 +151,7 @@ void expect_scatter_as_stated(BinComparison& comparing, const Bins& bins) {
     const double ratio = std::sqrt(ratios / judged);
     add_note(comparing.note,
              fmt::format("the {} runs of {} scatter {:.3g} times as much as the errors that they state (p = {:.2g}): "
-                         "no verdict rests on such errors.{} Mend them, or give {} runs",
+                         "no verdict rests on such errors.{} Fix them, or give {} runs",
                          bins.runs, bins.file->origin, ratio, p, fault_of_errors(ratio, std::exp(errors / judged), n),
                          enough_runs));
 }

@@ -33,10 +33,10 @@ what() {
 }
 taken_by() {
     case $1 in
-        study) echo "run $2" ;; bands) echo "check $2" ;; toml_scene | obj | vs3) echo "form_factors $2" ;;
+        study) echo "run $2" ;; bands) echo "check $2" ;; toml_scene | obj | vs3) echo "form-factors $2" ;;
         tables) echo "audit $2" ;; baseline) echo "check BANDS.toml --baseline $2" ;;
         estimates) echo "check BANDS.toml --estimates $2" ;; store) echo "report $2" ;;
-        factors) echo "form_factors --load $2" ;; points) echo "convergence --sampler file:$2" ;;
+        factors) echo "form-factors --load $2" ;; points) echo "convergence --sampler file:$2" ;;
     esac
 }
 

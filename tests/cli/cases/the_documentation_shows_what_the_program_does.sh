@@ -83,7 +83,7 @@ expect_status 0
 
 # Every command that the documents name is there, and so is every file that they link to.
 documents=("$root"/README.md "$root"/docs/*.md)
-commands=$(sed -nE 's/.*(`|[$] )ffstudy ([a-z0-9_]+).*/\2/p' "${documents[@]}" | sort -u)
+commands=$(sed -nE 's/.*(`|[$] )ffstudy ([a-z0-9_-]+).*/\2/p' "${documents[@]}" | sort -u)
 [ -n "$commands" ] || fail "no command found in the documents"
 ffstudy --help
 for command in $commands; do

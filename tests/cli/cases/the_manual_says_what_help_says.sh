@@ -66,7 +66,7 @@ taken allocations convergence --allocation
 taken completions convergence --completion
 taken maps convergence --map
 taken scenes convergence --scene
-taken scenes form_factors
+taken scenes form-factors
 taken formats report results --format
 taken studies run
 offered report --format=csv,h
