@@ -138,8 +138,9 @@ OptionWords words_of(const CLI::Option& option) {
     const std::string choices = is_choice ? rule.substr(2, rule.size() - 3) : std::string();
     if (is_choice && words.description.find(choices.substr(choices.rfind(',') + 1)) == std::string::npos)
         words.description += fmt::format(" ({})", fmt::join(CLI::detail::split(choices, ','), ", "));
-    if (const std::string value = option.get_default_str(); !value.empty() && !is_flag)
-        words.description += fmt::format(" (default: {})", value);
+    std::string value = option.get_default_str();
+    if (value.starts_with('[') && value.ends_with(']')) value = value.substr(1, value.size() - 2);  // of a list
+    if (!value.empty() && !is_flag) words.description += fmt::format(" (default: {})", value);
     return words;
 }
 

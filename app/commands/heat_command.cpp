@@ -139,7 +139,7 @@ void add_heat(ProgramDefinition& program) {
         everyday, "heat", "Heat or light between the faces of a scene, with intervals", heat);
     auto& factors = command.factors;
     factors.whole_matrix = true;
-    sub.option("--load", factors.load, "Instead of SCENE: a folder that 'form_factors --simultaneous' has written",
+    sub.option("--load", factors.load, "Instead of SCENE: a folder that 'form-factors --simultaneous' has written",
                {.type = "DIR"});
     sub.option("SCENE", factors.scene,
                fmt::format("A built-in scene, or a file ({})", studies::scene_extensions_in_words()));

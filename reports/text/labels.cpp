@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 namespace ff::reports {
 
 using studies::QuantityKind;
@@ -67,8 +70,12 @@ std::string of_scene(const studies::StudyPlan& plan, std::size_t scene) {
 }
 
 std::string listed(std::vector<std::string> names, std::size_t most, std::string_view conjunction) {
+    constexpr std::array<std::string_view, 3> separators{",", " and ", " or "};
     for (std::string& name : names) {
-        if (name.find(',') != std::string::npos) name = fmt::format("“{}”", name);
+        const bool misreads = std::any_of(separators.begin(), separators.end(), [&](std::string_view separator) {
+            return name.find(separator) != std::string::npos;
+        });
+        if (misreads) name = fmt::format("“{}”", name);
     }
     if (names.empty()) return {};
     if (names.size() == 1) return names.front();

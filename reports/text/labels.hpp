@@ -32,7 +32,8 @@ std::string method_label(const studies::StudyPlan& plan, const studies::Cell& ce
 /// " of NAME" as a suffix for results of one scene; empty where the study has no other.
 std::string of_scene(const studies::StudyPlan& plan, std::size_t scene);
 
-/// "a, b and c"; with more than `most` names, the first ones and the number of others. Names with commas are quoted.
+/// "a, b and c"; with more than `most` names, the first ones and the number of others. Names with commas, "and" or "or"
+/// are quoted.
 std::string listed(std::vector<std::string> names, std::size_t most = 4, std::string_view conjunction = "and");
 
 /// "adjacent pairs", "possibly occluded adjacent pairs"

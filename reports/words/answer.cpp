@@ -41,6 +41,13 @@ MainFinding of_rankings(const StudyResults& results, std::vector<Ranking> rankin
                         MainFinding found, std::string_view ticks) {
     const studies::StudyPlan& plan = results.findings.plan;
     found.clauses = advice(plan, rankings, comparative);
+    found.shorter = {advice(plan, rankings, comparative, Words::with_margin),
+                     advice(plan, rankings, comparative, Words::names_alone)};
+    for (const Ranking& ranking : rankings) {
+        if (!ranking.caveat.empty() &&
+            std::find(found.caveats.begin(), found.caveats.end(), ranking.caveat) == found.caveats.end())
+            found.caveats.push_back(ranking.caveat);
+    }
     found.rankings = std::move(rankings);
     found.note = fmt::format("{}{} {}", bars(results), ticks,
                              letters_in_words(plan.spec.level, found.rankings.size() > 1 ? " in all blocks" : ""));
@@ -117,9 +124,9 @@ std::optional<MainFinding> on_choice(const StudyResults& results) {
             if (choice.best == first.best && choice.entered == first.entered)
                 names.push_back(plan.spec.methods[choice.method].name);
         }
-        found.clauses.push_back(fmt::format("{}{} on {} ({}{} of {}{})", begins ? "take, at equal evaluations, " : "",
-                                            listed(std::move(names)), kind, begins ? "best in " : "", first.best,
-                                            first.entered, begins ? " scenes that it can do" : ""));
+        found.clauses.push_back(fmt::format("{}on {} take {} ({}{} of {}{})", begins ? "at equal evaluations " : "",
+                                            kind, listed(std::move(names), 3, "or"), begins ? "best in " : "",
+                                            first.best, first.entered, begins ? " scenes" : ""));
         Ranking& ranking = found.rankings.emplace_back();
         ranking.heading =
             decision.may_be_occluded ? fmt::format("{}, maybe occluded", name(decision.pair_class)) : kind;
@@ -242,13 +249,27 @@ std::string sentence(std::vector<std::string> clauses, std::size_t words) {
     std::size_t taken = 1;
     for (std::size_t used = words_of(clauses.front()); taken < all; ++taken) {
         used += words_of(clauses[taken]);
-        const std::size_t remark = taken + 1 < all ? 3 : 0;  // "(2 more below)"
+        const std::size_t remark = taken + 1 < all ? 2 : 0;  // "(2 more)"
         if (used + remark > words) break;
     }
     clauses.resize(taken);
     std::string text = fmt::format("{}", fmt::join(clauses, "; "));
-    if (all > taken) text += fmt::format(" ({} more below)", all - taken);
+    if (all > taken) text += fmt::format(" ({} more)", all - taken);
     return as_sentence(std::move(text));
+}
+
+/// The clauses in as many words as leave room for all of them, if there are such.
+const std::vector<std::string>& clauses_that_fit(const MainFinding& finding, std::size_t words) {
+    const auto fit = [&](const std::vector<std::string>& clauses) {
+        std::size_t used = 0;
+        for (const std::string& clause : clauses) used += words_of(clause);
+        return used <= words;
+    };
+    if (fit(finding.clauses)) return finding.clauses;
+    for (const auto& clauses : finding.shorter) {
+        if (fit(clauses)) return clauses;
+    }
+    return finding.clauses;
 }
 
 }  // namespace
@@ -270,12 +291,17 @@ Answer answer(const StudyResults& results) {
     std::string in_print;
     if (results.published && results.published->audit.figures > 0) in_print = audit_verdict(results.published->audit);
     if (!out.finding.clauses.empty()) {
-        const std::string& beside = sentences.empty() ? in_print : sentences.front();
-        sentences.push_back(
-            sentence(out.finding.clauses, most_words - std::min(most_words, beside.empty() ? 0 : words_of(beside))));
+        std::size_t beside = in_print.empty() ? 0 : words_of(in_print);
+        for (const auto& others : {sentences, out.finding.caveats}) {
+            for (const std::string& other : others) beside += words_of(other);
+        }
+        sentences.push_back(sentence(clauses_that_fit(out.finding, most_words - std::min(most_words, beside)),
+                                     most_words - std::min(most_words, beside)));
     }
+    sentences.insert(sentences.end(), out.finding.caveats.begin(), out.finding.caveats.end());
     if (!in_print.empty()) sentences.push_back(std::move(in_print));
-    if (sentences.empty()) sentences.emplace_back("No method of this study can be compared with exact values.");
+    if (sentences.empty())
+        sentences.emplace_back("Nothing is compared: trials are too few, variances infinite, or all is exact.");
     out.text = fmt::format("{}", fmt::join(sentences, " "));
     return out;
 }

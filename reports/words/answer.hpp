@@ -25,7 +25,9 @@ enum class Subject {
 struct MainFinding {
     Subject subject = Subject::errors;
     std::string question = {};
-    std::vector<std::string> clauses = {};  ///< the answer, in a few words each
+    std::vector<std::string> clauses = {};               ///< the answer, in a few words each
+    std::vector<std::vector<std::string>> shorter = {};  ///< the same in fewer words, and in fewer still
+    std::vector<std::string> caveats = {};               ///< sentences that belong to the answer
     std::vector<std::string> details = {};  ///< sentences that say more, where nothing else in the reports does
     std::vector<Ranking> rankings = {};     ///< empty where the subject has pictures of its own
     std::string title = {};                 ///< title of the rankings; the next members are theirs, too

@@ -50,7 +50,13 @@ std::vector<std::size_t> comparable_cells(const Analysis& findings, std::size_t 
         const std::tuple rank{methods.size(), std::uint64_t{candidate.first} * candidate.first * candidate.second};
         if (rank > best) std::tie(best, size) = std::pair(rank, candidate);
     }
-    std::map<std::size_t, std::size_t> chosen;  // cell by method
+    struct Chosen {
+        bool fits = false;
+        std::uint64_t evaluations = 0;
+        std::size_t cell = 0;
+        auto operator<=>(const Chosen&) const = default;
+    };
+    std::map<std::size_t, Chosen> chosen;  // by method; those that fit first, then the largest
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
         const Cell& cell = plan.cells[i];
         if (cell.scene != scene || estimator_info(plan.spec.methods[cell.method]).exact) continue;
@@ -58,10 +64,12 @@ std::vector<std::size_t> comparable_cells(const Analysis& findings, std::size_t 
         const bool fits = cell.deterministic ? cell.subdivision.m == size.first
                                              : std::pair(cell.subdivision.m, cell.samples_per_patch) == size;
         const bool any_size = cell.deterministic || is_exact_to_rounding(findings.cells[i]);
-        if (fits || (any_size && !chosen.contains(cell.method))) chosen.insert_or_assign(cell.method, i);
+        if (!fits && !any_size) continue;
+        Chosen& of_method = chosen.try_emplace(cell.method).first->second;
+        of_method = std::max(of_method, Chosen{fits, evaluations_per_trial(plan, cell), i});
     }
     std::vector<std::size_t> cells;
-    for (const auto& [method, cell] : chosen) cells.push_back(cell);
+    for (const auto& [method, of_method] : chosen) cells.push_back(of_method.cell);
     return cells;
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -13,16 +14,24 @@
 namespace ff::reports {
 namespace {
 
-/// The methods that are among the best in all rankings, in the order of the first. Empty where some ranking shows no
-/// method to be better than another.
+/// The methods that are among the best in all rankings, in the order of the first. A ranking that shows no method to be
+/// better than another speaks against none.
 std::vector<std::string> leaders_of_all(const std::vector<Ranking>& rankings) {
-    std::vector<std::string> common = rankings.front().leaders;
+    std::vector<std::string> common;
+    for (const RankedMethod& method : rankings.front().methods) common.push_back(method.label);
     for (const Ranking& ranking : rankings) {
-        std::erase_if(common, [&](const std::string& label) {
-            return std::find(ranking.leaders.begin(), ranking.leaders.end(), label) == ranking.leaders.end();
-        });
+        std::vector<std::string> best = ranking.leaders;
+        if (best.empty()) {
+            for (const RankedMethod& method : ranking.methods) best.push_back(method.label);
+        }
+        std::erase_if(
+            common, [&](const std::string& label) { return std::find(best.begin(), best.end(), label) == best.end(); });
     }
     return common;
+}
+
+bool is_exact(const Ranking& ranking) {
+    return !ranking.methods.front().value;
 }
 
 /// "-0.72 to -0.58", the hull of the intervals of these methods; empty where one has no value.
@@ -53,6 +62,7 @@ std::string where(const studies::StudyPlan& plan, const std::vector<Ranking>& ra
 
 std::string nothing_better(const std::vector<Ranking>& rankings, const std::vector<std::string>& labels,
                            const Comparative& comparative) {
+    if (std::all_of(rankings.begin(), rankings.end(), is_exact)) return "they are exact";
     const std::string values = values_of(rankings, labels);
     return fmt::format("nothing is shown to {}{}", comparative.better,
                        values.empty()
@@ -63,8 +73,10 @@ std::string nothing_better(const std::vector<Ranking>& rankings, const std::vect
 /// The only method that is best in all rankings, with its margin in each.
 std::vector<std::string> take_one(const studies::StudyPlan& plan, std::vector<Ranking> rankings,
                                   const std::string& leader) {
+    const Ranking& first = rankings.front();
     for (Ranking& ranking : rankings) {
-        const bool follows = &ranking != &rankings.front() && !ranking.again.empty() && !rankings.front().again.empty();
+        const bool follows = &ranking != &first && !ranking.again.empty() && !first.again.empty() &&
+                             ranking.methods[1].label == first.methods[1].label;
         ranking.brief = follows ? " " + ranking.again : " it " + ranking.margin;
     }
     auto clauses = clauses_of(plan, rankings, &Ranking::brief);
@@ -74,9 +86,12 @@ std::vector<std::string> take_one(const studies::StudyPlan& plan, std::vector<Ra
 
 /// A clause for each ranking, since no method is best in all.
 std::vector<std::string> each_by_itself(const studies::StudyPlan& plan, std::vector<Ranking> rankings,
-                                        const Comparative& comparative) {
+                                        const Comparative& comparative, Words words) {
     for (Ranking& ranking : rankings) {
-        if (ranking.leaders.size() == 1) {
+        if (words == Words::names_alone && !ranking.leaders.empty() && ranking.methods.size() > 1 &&
+            !is_exact(ranking)) {
+            ranking.brief = fmt::format("{} take {}", ranking.at, listed(ranking.leaders, 4, "or"));
+        } else if (ranking.leaders.size() == 1) {
             ranking.brief = fmt::format("{} {} {}", ranking.at, listed(ranking.leaders), ranking.margin);
         } else if (ranking.leaders.empty()) {
             ranking.brief =
@@ -87,33 +102,41 @@ std::vector<std::string> each_by_itself(const studies::StudyPlan& plan, std::vec
         }
     }
     // What is exact is no news: it comes last.
-    std::stable_partition(rankings.begin(), rankings.end(),
-                          [](const Ranking& ranking) { return ranking.methods.front().value.has_value(); });
+    std::stable_partition(rankings.begin(), rankings.end(), std::not_fn(is_exact));
     return clauses_of(plan, rankings, &Ranking::brief);
 }
 
 /// The advice on rankings in which the same is equal.
 std::vector<std::string> advice_at(const studies::StudyPlan& plan, const std::vector<Ranking>& rankings,
-                                   const Comparative& comparative) {
+                                   const Comparative& comparative, Words words) {
     const auto is_alone = [](const Ranking& ranking) { return ranking.methods.size() == 1; };
-    if (std::any_of(rankings.begin(), rankings.end(), is_alone)) return each_by_itself(plan, rankings, comparative);
+    if (std::any_of(rankings.begin(), rankings.end(), is_alone))
+        return each_by_itself(plan, rankings, comparative, words);
     const auto shows_none = [](const Ranking& ranking) { return ranking.leaders.empty(); };
     if (std::all_of(rankings.begin(), rankings.end(), shows_none)) {
         return {fmt::format("{}{} no method is shown to {} than {}", where(plan, rankings), rankings.front().at,
                             comparative.better, comparative.than)};
     }
     const auto common = leaders_of_all(rankings);
-    if (common.empty()) return each_by_itself(plan, rankings, comparative);
     const auto has_one = [](const Ranking& ranking) { return ranking.leaders.size() == 1; };
-    if (std::all_of(rankings.begin(), rankings.end(), has_one)) return take_one(plan, rankings, common.front());
+    const bool one = std::all_of(rankings.begin(), rankings.end(), has_one);
+    if (common.empty() || (one && !comparative.is_enough)) return each_by_itself(plan, rankings, comparative, words);
+    if (one && words != Words::names_alone) return take_one(plan, rankings, common.front());
+    if (!comparative.is_enough) {
+        return {fmt::format("{} nothing is shown to {} than {} ({}{})", where(plan, rankings), comparative.better,
+                            listed(common, 4, "or"), comparative.before_values, values_of(rankings, common))};
+    }
     return {fmt::format("take {}{}: {} {}", listed(common, 4, "or"), rankings.front().at, where(plan, rankings),
                         nothing_better(rankings, common, comparative))};
 }
 
 }  // namespace
 
-std::vector<std::string> advice(const studies::StudyPlan& plan, const std::vector<Ranking>& rankings,
-                                const Comparative& comparative) {
+std::vector<std::string> advice(const studies::StudyPlan& plan, std::vector<Ranking> rankings,
+                                const Comparative& comparative, Words words) {
+    for (Ranking& ranking : rankings) {
+        if (words == Words::with_cost) ranking.margin += ranking.cost;
+    }
     std::vector<std::vector<Ranking>> groups;
     for (const Ranking& ranking : rankings) {
         auto group =
@@ -123,7 +146,7 @@ std::vector<std::string> advice(const studies::StudyPlan& plan, const std::vecto
     }
     std::vector<std::string> clauses;
     for (const auto& group : groups) {
-        for (std::string& clause : advice_at(plan, group, comparative)) clauses.push_back(std::move(clause));
+        for (std::string& clause : advice_at(plan, group, comparative, words)) clauses.push_back(std::move(clause));
     }
     return clauses;
 }

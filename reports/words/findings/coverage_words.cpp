@@ -2,6 +2,7 @@
 #include "reports/text/numbers.hpp"
 
 #include "reports/text/labels.hpp"
+#include "stats/basics/binomial.hpp"
 
 #include <fmt/format.h>
 
@@ -20,6 +21,11 @@ using studies::IntervalRule;
 
 constexpr std::array all_rules{IntervalRule::student_t, IntervalRule::normal, IntervalRule::percentile_bootstrap,
                                IntervalRule::two_stage, IntervalRule::look_short};
+
+/// A rule is recommended where its coverage is known to be at most this below what it promises, ...
+constexpr double least_precision = 0.05;
+/// ... and may be as near to it as this.
+constexpr double tolerated = 0.01;
 
 /// Several rows in words: the smallest and the largest coverage, and how many are significantly short.
 struct Range {
@@ -59,32 +65,40 @@ Range range_of(const studies::StudyResults& results, IntervalRule rule, std::opt
 }  // namespace
 
 std::string coverage_advice(const studies::StudyResults& results) {
-    const std::string level = fmt::format("{:g} %", 100 * results.findings.plan.spec.level);
+    const double level = results.findings.plan.spec.level;
     auto numbers = results.findings.plan.spec.coverage;
     std::sort(numbers.begin(), numbers.end());
     for (const std::uint64_t fewest : numbers) {
-        std::optional<IntervalRule> kept;
         std::optional<std::pair<double, IntervalRule>> worst;  // least coverage
-        Range range;
         for (const IntervalRule rule : all_rules) {
-            const Range here = range_of(results, rule, {}, fewest);
-            if (here.rows.empty() || here.tells_nothing()) continue;
+            const Range here = range_of(results, rule, fewest);
+            if (here.rows.empty() || here.tells_nothing() || here.short_of == 0) continue;
             const double least = here.rows.front()->share();
-            if (here.short_of > 0 && (!worst || least < worst->first)) worst.emplace(least, rule);
-            if (here.short_of > 0 || kept) continue;
-            kept = rule;
-            range = here;
+            if (!worst || least < worst->first) worst.emplace(least, rule);
         }
-        if (!kept) continue;
-        std::string text = fmt::format(
-            "from {} replicates on take {}: its {} intervals contain the exact value in {:.1f} to {:.1f} % of runs, "
-            "nowhere significantly too seldom",
-            fewest, rule_in_words(*kept), level, 100 * range.rows.front()->share(), 100 * range.rows.back()->share());
-        if (worst) text += fmt::format("; {} in as few as {:.1f} %", rule_in_words(worst->second), 100 * worst->first);
-        return text;
+        for (const IntervalRule rule : all_rules) {
+            if (range_of(results, rule, {}, fewest).short_of > 0) continue;
+            stats::Proportion all{};  // intervals of all rows are independent
+            for (const Coverage* row : range_of(results, rule, fewest).rows) {
+                all.hits += row->covered;
+                all.trials += row->intervals;
+            }
+            if (all.trials == 0) continue;
+            const stats::Interval share = stats::clopper_pearson_interval(all, level);
+            if (share.low < level - least_precision || share.high < level - tolerated) continue;
+            std::string text = fmt::format(
+                "from {} replicates on take {}: its {:g} % intervals contain the exact value in {:.3g} % of runs "
+                "({:.3g} "
+                "to {:.3g})",
+                fewest, rule_in_words(rule), 100 * level,
+                100.0 * static_cast<double>(all.hits) / static_cast<double>(all.trials), 100 * share.low,
+                100 * share.high);
+            if (worst)
+                text += fmt::format("; {} in as few as {:.1f} %", rule_in_words(worst->second), 100 * worst->first);
+            return text;
+        }
     }
-    return fmt::format(
-        "no rule is known to keep its {} with these replicates: trials are too few, or coverage falls short", level);
+    return fmt::format("no rule is shown to keep its {:g} %: trials are too few, or coverage falls short", 100 * level);
 }
 
 std::vector<Ranking> least_coverage(const studies::StudyResults& results) {

@@ -16,8 +16,8 @@ std::string_view rule_in_words(studies::IntervalRule rule);
 /// that have a variance, and how often it falls significantly short of the promised level; a line about those without.
 std::vector<std::string> coverage_in_brief(const studies::StudyResults& results);
 
-/// The rule that needs the fewest replicates for intervals that nowhere fall significantly short of the promised level,
-/// by the rows whose variance is finite, and the worst of the others.
+/// The rule that needs the fewest replicates for intervals that nowhere fall significantly short of the promised level
+/// and are known to keep it but for 5 %, by the rows whose variance is finite, and the worst of the others.
 std::string coverage_advice(const studies::StudyResults& results);
 
 /// The least coverage of each rule and number of replicates, of the same rows.

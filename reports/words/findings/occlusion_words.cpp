@@ -153,7 +153,8 @@ std::string occlusion_advice(const StudyResults& results) {
                                  "{} of {}",
                                  best.front().first, best.front().second, counted(hidden.size(), "pair"));
     if (best.size() > 1) text += fmt::format(", {} on {}", best[1].first, best[1].second);
-    if (!best_open.empty()) text += fmt::format("; where nothing is, take {}", best_open.front().first);
+    if (!best_open.empty() && (best.empty() || best_open.front().first != best.front().first))
+        text += fmt::format("; where nothing is ({}), take {}", counted(open.size(), "pair"), best_open.front().first);
     return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
+#include "reports/words/findings/left_out.hpp"
 #include "studies/comparison/rivals.hpp"
 
 #include <fmt/format.h>
@@ -135,7 +136,8 @@ void rank_rates_of_class(const StudyResults& results, Ranking& ranking, double l
                });
     };
     if (std::any_of(results.slopes.begin(), results.slopes.end(), is_beyond))
-        ranking.said += "; methods without an interval are not ranked";
+        ranking.caveat = "Methods without an interval are not ranked.";
+    if (!ranking.caveat.empty()) ranking.said += "; methods without an interval are not ranked";
 }
 
 /// "2.1 to 2.4", how many times the error of the second is that of the first.
@@ -157,13 +159,23 @@ std::string at_what_cost(const studies::Analysis& findings, const Ranked& first,
                      : fmt::format(" with {} times more evaluations", brief(1 / ratio));
 }
 
-/// Sets what is shown of the first: "errs 4.9 times less than PDM (4.6 to 5.2) with 170 times fewer evaluations".
+/// Sets what is shown of the first: "errs 4.9 times less than PDM (4.6 to 5.2)", and at what cost.
 void set_margin(const studies::Analysis& findings, const Ranked& first, const Ranked& second, Ranking& ranking) {
     const std::string times = fmt::format("{} times", brief(second.value / first.value));
     const std::string interval = second.behind ? fmt::format(" ({})", times_smaller(first, second)) : std::string();
-    ranking.margin = fmt::format("errs {} less than {}{}{}", times, listed({ranking.methods[1].label}), interval,
-                                 at_what_cost(findings, first, second));
+    ranking.margin = fmt::format("errs {} less than {}{}", times, listed({ranking.methods[1].label}), interval);
+    ranking.cost = at_what_cost(findings, first, second);
     ranking.again = times + interval;
+}
+
+/// Whether the method of a cell is exact to rounding at all of its sizes.
+bool is_exact_at_all_sizes(const studies::Analysis& findings, const studies::Cell& cell, PairClass pair_class) {
+    return std::none_of(findings.cells.begin(), findings.cells.end(), [&](const studies::CellAnalysis& found) {
+        const studies::Cell& other = findings.plan.cells[found.cell];
+        const studies::ClassError* error = found.class_error(pair_class);
+        return other.method == cell.method && other.scene == cell.scene && error != nullptr &&
+               error->rmse >= studies::rounding_error;
+    });
 }
 
 void rank_errors_of_class(const StudyResults& results, Ranking& ranking, double level) {
@@ -174,6 +186,8 @@ void rank_errors_of_class(const StudyResults& results, Ranking& ranking, double 
                                              ranking.pair_class, level);
     if (ranked.empty()) return;
     ranking.methods = ranked_cells(plan, ranked);
+    // A publication says which of its methods it compares.
+    if (!results.published) ranking.caveat = which_errors_are_left_out(findings, ranking);
     const Leaders best = leaders(ranked, ranking.methods);
     if (!best.all || best.one()) ranking.leaders = best.names;
     const std::string& size = ranking.methods.front().size;
@@ -182,7 +196,10 @@ void rank_errors_of_class(const StudyResults& results, Ranking& ranking, double 
     const std::string rmse = fmt::format("RMSE {}{}", from_to(brief(best.best), brief(best.last)),
                                          of_one_size || best.one() ? ", " + size : "");
     if (best.best < studies::rounding_error) {
-        ranking.margin = "is exact";
+        ranking.margin =
+            is_exact_at_all_sizes(findings, plan.cells[findings.cells[ranked.front().index].cell], ranking.pair_class)
+                ? "is exact"
+                : fmt::format("is exact at {}", size);
         ranking.said = fmt::format(" {} {} exact to rounding", listed(best.names), best.one() ? "is" : "are");
     } else if (ranked.size() == 1) {
         const auto& interval = ranked.front().interval;
@@ -208,6 +225,7 @@ void rank_variances_of_size(const StudyResults& results, Ranking& ranking, doubl
     const bool random_leads = std::any_of(ranked.begin(), ranked.end(), [&](const Ranked& each) {
         return each.index == ranking.random_cell && each.group == 0;
     });
+    ranking.caveat = which_variances_are_left_out(results.findings, ranking.scene);
     const std::string size = size_label(plan, plan.cells[*ranking.random_cell]);
     ranking.heading += ", " + size;
     ranking.at = fmt::format(" with {}", size);

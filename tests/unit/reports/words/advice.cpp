@@ -68,9 +68,26 @@ TEST(Advice, NamesNoMethodWhereNothingIsShown) {
                 ElementsAre("on parallel and adjacent pairs no method is shown to err less than another"));
     EXPECT_THAT(
         advice(plan(), {ranking(PairClass::parallel, {}), ranking(PairClass::adjacent, {"a", "b"})}, varies_less),
-        ElementsAre("on parallel pairs no method is shown to vary less than random points",
-                    "on adjacent pairs take a or b: nothing is shown to vary less (1 to 4 times less than random "
-                    "points)"));
+        ElementsAre("take a or b: on parallel and adjacent pairs nothing is shown to vary less (1 to 4 times less than "
+                    "random points)"));
+}
+
+TEST(Advice, TakesNobodyForItsSlope) {
+    EXPECT_THAT(advice(plan(), {ranking(PairClass::parallel, {"a", "b"})}, converges_faster),
+                ElementsAre("on parallel pairs nothing is shown to converge faster than a or b (slopes 1 to 4)"));
+}
+
+TEST(Advice, SaysLessWhereRoomIsShort) {
+    Ranking first = ranking(PairClass::parallel, {"a"});
+    first.margin = "errs 2 times less than b (1 to 3)";
+    first.cost = " with 9 times fewer evaluations";
+    const std::vector<Ranking> rankings{first, ranking(PairClass::adjacent, {"b"})};
+    EXPECT_EQ(advice(plan(), rankings, errs_less).front(),
+              "on parallel pairs a errs 2 times less than b (1 to 3) with 9 times fewer evaluations");
+    EXPECT_EQ(advice(plan(), rankings, errs_less, Words::with_margin).front(),
+              "on parallel pairs a errs 2 times less than b (1 to 3)");
+    EXPECT_THAT(advice(plan(), rankings, errs_less, Words::names_alone),
+                ElementsAre("on parallel pairs take a", "on adjacent pairs take b"));
 }
 
 TEST(Advice, KeepsSizesApart) {
@@ -79,17 +96,16 @@ TEST(Advice, KeepsSizesApart) {
     Ranking many = ranking(PairClass::parallel, {"b", "c"});
     many.at = " with 625 rays";
     EXPECT_THAT(
-        advice(plan(), {few, many}, converges_faster),
-        ElementsAre("take a or b with 64 rays: on parallel pairs nothing is shown to converge faster (slopes 1 to 4)",
-                    "take b or c with 625 rays: on parallel pairs nothing is shown to converge faster (slopes 2 to "
-                    "10)"));
+        advice(plan(), {few, many}, errs_less),
+        ElementsAre("take a or b with 64 rays: on parallel pairs nothing is shown to err less (RMSE 1 to 4)",
+                    "take b or c with 625 rays: on parallel pairs nothing is shown to err less (RMSE 2 to 10)"));
 }
 
 studies::Coverage row(studies::IntervalRule rule, std::uint64_t replicates, std::uint64_t covered, bool is_short) {
     studies::Coverage row;
     row.interval_method = rule;
     row.replicates = replicates;
-    row.intervals = 100;
+    row.intervals = 1000;
     row.covered = covered;
     row.short_of_nominal = is_short;
     return row;
@@ -99,13 +115,17 @@ TEST(CoverageAdvice, TakesTheRuleThatIsNowhereShortWithTheFewestReplicates) {
     using studies::IntervalRule;
     studies::StudyResults results = test::published_results();
     results.findings.plan.spec.coverage = {5, 10};
-    results.coverage = {row(IntervalRule::student_t, 5, 88, true), row(IntervalRule::student_t, 10, 94, false),
-                        row(IntervalRule::normal, 5, 71, true), row(IntervalRule::normal, 10, 85, true)};
-    EXPECT_EQ(coverage_advice(results),
-              "from 10 replicates on take Student's t: its 95 % intervals contain the exact value in 94.0 to 94.0 % of "
-              "runs, nowhere significantly too seldom; normal quantiles in as few as 85.0 %");
-    results.coverage[1].short_of_nominal = true;
-    EXPECT_THAT(coverage_advice(results), testing::StartsWith("no rule is known to keep its 95 %"));
+    results.coverage = {row(IntervalRule::student_t, 5, 880, true), row(IntervalRule::student_t, 10, 940, false),
+                        row(IntervalRule::normal, 5, 710, true), row(IntervalRule::normal, 10, 850, true)};
+    EXPECT_EQ(
+        coverage_advice(results),
+        "from 10 replicates on take Student's t: its 95 % intervals contain the exact value in 94 % of runs (92.3 to "
+        "95.4); normal quantiles in as few as 85.0 %");
+    results.coverage[1].covered = 900;
+    EXPECT_THAT(coverage_advice(results), testing::StartsWith("no rule is shown to keep its 95 %"));
+    results.coverage[1] = row(IntervalRule::student_t, 10, 12, false);
+    results.coverage[1].intervals = 12;  // nothing is missing, and nothing is known
+    EXPECT_THAT(coverage_advice(results), testing::StartsWith("no rule is shown to keep its 95 %"));
 }
 
 }  // namespace

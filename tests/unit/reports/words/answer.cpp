@@ -49,11 +49,13 @@ TEST(Listed, NamesAFewAndCountsTheRest) {
     EXPECT_EQ(listed({"a", "b", "c", "d", "e"}), "a, b, c and 2 more");
 }
 
-TEST(Answer, NamesTheSmallestErrorOfEachClassOfPairs) {
+TEST(Answer, TakesWhatIsAmongTheBestOnAllPairsOfAllScenes) {
     const Answer said = answer(test::small_results());
     EXPECT_EQ(said.finding.subject, Subject::errors);
     EXPECT_EQ(said.question, "Which method has the smallest error?");
-    EXPECT_THAT(said.text, HasSubstr("on adjacent pairs of cube"));
+    EXPECT_THAT(said.text, StartsWith("Take PDM: on pairs of all scenes nothing is shown to err less (RMSE "));
+    EXPECT_THAT(said.text, HasSubstr("Infinite variances are not compared."));
+    EXPECT_THAT(said.finding.details, testing::Contains(HasSubstr("n adjacent pairs of cube")));
 }
 
 TEST(Answer, LeavesThePremiseToTheDetails) {
@@ -87,8 +89,8 @@ samples_per_patch = [64, 256, 1024]
 )");
     EXPECT_EQ(answer(results).finding.subject, Subject::rates);
     EXPECT_THAT(answer(results).text,
-                testing::MatchesRegex("Take sobol: on parallel pairs it converges fastest .slope -0[^;]*; on adjacent "
-                                      "pairs .slope -0.*"));
+                testing::MatchesRegex("On parallel pairs sobol converges fastest .slope -0[^;]*; on "
+                                      "adjacent pairs sobol converges fastest .slope -0.*"));
     EXPECT_THAT(markdown_report(results), HasSubstr("; random slowest (-0."));
     const auto picture = lead_picture(results);
     ASSERT_TRUE(picture);

@@ -155,8 +155,7 @@ TEST(StudiesOfGrids, RefuseMorePatchesThanCanBeNumbered) {
     std::string fine(plain_room);
     fine.replace(fine.find("[4, 2]"), 6, "[1024, 1024]");
     EXPECT_THAT(test::message_of<UserError>([&] { grid_plan(fine, ray_method(64)); }),
-                HasSubstr("method 'rays': 4295008256 patches in scene 'scene.toml' (at most 2147483648 can be told "
-                          "apart)"));
+                HasSubstr("method 'rays': 4295008256 patches in scene 'scene.toml' (at most 2147483648)"));
 }
 
 // Every patch emits what it absorbs, so that exact factors make all of them as bright as one that absorbs all.
