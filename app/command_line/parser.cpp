@@ -138,6 +138,7 @@ OptionWords words_of(const CLI::Option& option) {
     const std::string choices = is_choice ? rule.substr(2, rule.size() - 3) : std::string();
     if (is_choice && words.description.find(choices.substr(choices.rfind(',') + 1)) == std::string::npos)
         words.description += fmt::format(" ({})", fmt::join(CLI::detail::split(choices, ','), ", "));
+    if (option.get_required() && !option.get_positional()) words.description += " (required)";
     std::string value = option.get_default_str();
     if (value.starts_with('[') && value.ends_with(']')) value = value.substr(1, value.size() - 2);  // of a list
     if (!value.empty() && !is_flag) words.description += fmt::format(" (default: {})", value);
