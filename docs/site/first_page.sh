@@ -1,0 +1,64 @@
+# What the site's first page shows beside the README, each with the command that makes it. Read by scripts/docs, whose
+# variables `program`, `out` and `quick` it uses; prints Markdown.
+
+# session COMMAND: the command, and what the program prints.
+session() {
+    printf '\n```\n$ ffstudy %s\n' "$1"
+    eval "\"\$program\" $1" || [ $? -eq 1 ]  # 1: something was found
+    printf '```\n'
+}
+
+cat <<'END'
+
+## What it has found
+
+**In the tables of a paper**, the one that ffstudy begins with:
+END
+session 'audit studies/built_in/paper_tables.json'
+
+cat <<'END'
+
+**In published form factors.** Of [those compared](docs/beside-others.md), these lie outside the interval of ffstudy; independent
+calculations agree with it:
+
+| published by | factor | published | ffstudy: interval | published is off by |
+|---|---|--:|---|--:|
+END
+awk -F ' *[|] *' '/^## / { by = substr($0, 4) }
+                  /published is off by/ { rows = 1 }
+                  !/^[|]/ { rows = 0 }
+                  rows && /%/ { printf "| %s | %s, `%s` | %s | %s | %s |\n", by, $3, $2, $4, $5, $7 }' docs/beside-others.md
+cat <<'END'
+
+```sh
+docs/examples/published/compare.py build/release/app/ffstudy
+```
+
+**In scrambled Halton points.** SciPy 1.10 gives every coordinate a copy of one random generator, so their scrambling is not
+independent, and the mean of a step along a slanting plane is wrong. With `scipy_halton.py`,
+END
+printf '\n```python\n%s\n```\n' "$(cat docs/examples/scipy_halton.py)"
+if [ $quick = no ]; then
+    mkdir -p "$out/halton"
+    cp docs/examples/scipy_halton.py "$out/halton"
+    [ -f "$out/halton/halton.npy" ] || (cd "$out/halton" && python3 scipy_halton.py)
+    printf '\nand SciPy %s:\n\n```\n' "$(python3 -c 'import scipy; print(scipy.__version__)')"
+    printf '$ python3 scipy_halton.py\n$ ffstudy check-sampler file:halton.npy | grep -E "FAIL|mean"\n'
+    "$program" check-sampler "file:$out/halton/halton.npy" | grep -E 'FAIL|mean' || [ $? -eq 1 ]
+    printf '```\n'
+fi
+
+cat <<'END'
+
+**Beside View3D**, a program for the same task: a cube of 1110 facets within a cube, one thread. View3D's tolerance is its
+`eps`; *off* is the share of the pairs that are wrong by more. `benchmarks/README.md` of the source has other scenes, some
+of which View3D finishes sooner.
+
+END
+awk '/^\| scene \| facets/ && !head++ { print; getline; print } /^\| `nested:13:4`/' benchmarks/README.md
+cat <<'END'
+
+```sh
+benchmarks/beside_view3d build/release/app/ffstudy nested:13:4 --view3d path/to/view3d
+```
+END
