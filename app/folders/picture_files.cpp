@@ -92,11 +92,6 @@ void deliver(const std::filesystem::path& file, OutputFolder& folder) {
 
 void expect_svg_programs() {
     expect_program("node", "nodejs");
-    if (find_template_file(script_name).empty()) {
-        throw UserError(
-            "Pictures as files: this program was built without pictures (Node.js, npm or its registry were missing). "
-            "Install nodejs and node-registry-url, configure and build again.");
-    }
 }
 
 void expect_pdf_programs() {

@@ -31,11 +31,7 @@ std::filesystem::path studies_folder() {
 std::vector<std::filesystem::path> template_folders() {
     if (const auto installed = installed_folder(build_info::installed_templates); !installed.empty())
         return {installed};
-    std::vector<std::filesystem::path> folders{build_info::source_templates};
-    std::error_code error;
-    if (std::filesystem::is_directory(build_info::built_templates, error))
-        folders.emplace_back(build_info::built_templates);
-    return folders;
+    return {build_info::source_templates, build_info::source_pictures};
 }
 
 }  // namespace

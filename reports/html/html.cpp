@@ -118,20 +118,19 @@ std::string alternatives_of(const Picture& picture) {
     return json_in_html(all);
 }
 
-Json picture_view(const Picture& picture, bool is_drawn) {
+Json picture_view(const Picture& picture) {
     return {{"id", picture.id},
             {"kind", picture.kind},
             {"title", picture.title},
             {"finding", picture.finding},
             {"description", picture.description},
             {"values", picture.values},
-            {"alternatives", alternatives_of(picture)},
-            {"drawn", is_drawn}};
+            {"alternatives", alternatives_of(picture)}};
 }
 
-Json pictures_view(const std::vector<Picture>& pictures, bool drawn) {
+Json pictures_view(const std::vector<Picture>& pictures) {
     Json list = Json::array();
-    for (const Picture& picture : pictures) list.push_back(picture_view(picture, drawn));
+    for (const Picture& picture : pictures) list.push_back(picture_view(picture));
     return list;
 }
 
@@ -253,24 +252,21 @@ std::size_t leave_out_pairs(Json& tables, std::size_t bytes) {
 }
 
 void add_pictures(const PagePictures& page, const Templates& templates, Json& view) {
-    const bool drawn = templates.has("vega.js");
     view["left_out"] = page.left_out > 0 ? Json(fmt::format("{} pictures are not on this page: ffstudy figure draws "
                                                             "them.",
                                                             page.left_out))
                                          : Json();
-    view["drawn"] = drawn;
-    view["lead"] = page.lead ? picture_view(*page.lead, drawn) : Json();
+    view["lead"] = page.lead ? picture_view(*page.lead) : Json();
     view["pictured"] = !page.pictures.empty() || !page.groups.empty();
-    view["pictures"] = pictures_view(page.pictures, drawn);
+    view["pictures"] = pictures_view(page.pictures);
     std::vector<std::string> titles;
     for (const Picture& picture : page.pictures) titles.push_back(picture.title);
     view["all_pictures"] =
         titles.empty() ? Json() : Json(fmt::format("All methods together: {}", fmt::join(titles, " ")));
     view["groups"] = Json::array();
     for (const PictureGroup& group : page.groups) {
-        view["groups"].push_back({{"title", group.title}, {"pictures", pictures_view(group.pictures, drawn)}});
+        view["groups"].push_back({{"title", group.title}, {"pictures", pictures_view(group.pictures)}});
     }
-    if (!drawn) return;
     view["runtime"] = templates.text("vega.js");
     auto pictures = page.pictures;
     if (page.lead) pictures.push_back(*page.lead);
@@ -302,8 +298,7 @@ std::string html_report(const studies::StudyResults& results, const Templates& t
     const std::vector<std::string_view> styles{style};
     PagePictures page = pictures_of_page(results);
     add_pictures(page, templates, view);
-    std::vector<std::string_view> scripts{script};
-    if (templates.has("vega.js")) scripts.push_back(templates.text("vega.js"));
+    const std::vector<std::string_view> scripts{script, templates.text("vega.js")};
     view["policy"] = security_policy(styles, scripts);
     const auto fill = [&] { return fill_template(templates, "report", view, escape_html); };
     std::string html = fill();

@@ -8,8 +8,8 @@
 namespace ff::reports {
 
 /// report.html: one file that needs no network: the verdict, the published tables beside ours, pictures, and what it
-/// takes to reproduce it. Made from report.mustache, report.css, report.js; pictures are drawn if vega.js is among the
-/// templates, otherwise their findings are stated in words. Byte-identical for the same store and templates.
+/// takes to reproduce it. Made from report.mustache, report.css, report.js, vega.js. Byte-identical for the same store
+/// and templates.
 std::string html_report(const studies::StudyResults& results, const Templates& templates);
 
 }  // namespace ff::reports

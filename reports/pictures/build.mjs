@@ -1,8 +1,8 @@
-// build.mjs OUT: compiles every *.vl.json beside this file into OUT/NAME.json, a Vega specification, and bundles the
-// runtime into OUT/vega.js (report.html) and OUT/draw_svg.mjs (pictures without a browser).
+// build.mjs OUT: compiles every *.vl.json beside this file into OUT/NAME.json, a Vega specification, bundles the runtime into
+// OUT/vega.js, copies draw_svg.mjs, and lists what the bundle is made of in OUT/LICENCES. Called by scripts/pictures.
 
 import {build} from 'esbuild';
-import {mkdirSync, readFileSync, readdirSync, writeFileSync} from 'node:fs';
+import {copyFileSync, mkdirSync, readFileSync, readdirSync, writeFileSync} from 'node:fs';
 import {dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {compile} from 'vega-lite';
@@ -26,8 +26,21 @@ for (const file of readdirSync(here).filter(name => name.endsWith('.vl.json')).s
   if (warnings.length > 0) throw new Error(`${file}: ${warnings.join('; ')}`);
 }
 
-const common = {bundle: true, minify: true, legalComments: 'none', nodePaths: [join(here, 'node_modules')]};
-await build({...common, entryPoints: [join(here, 'runtime.js')], outfile: join(out, 'vega.js'), format: 'iife',
-             globalName: 'vega', target: 'es2020'});
-await build({...common, entryPoints: [join(here, 'draw_svg.mjs')], outfile: join(out, 'draw_svg.mjs'), format: 'esm',
-             platform: 'browser', external: ['node:*'], target: 'node18'});
+const {metafile} = await build({
+  bundle: true, minify: true, legalComments: 'none', metafile: true, absWorkingDir: here, entryPoints: ['runtime.js'],
+  outfile: join(out, 'vega.js'), format: 'iife', globalName: 'vega', target: 'es2020'});
+copyFileSync(join(here, 'draw_svg.mjs'), join(out, 'draw_svg.mjs'));
+
+/** Packages that went into the bundle, grouped by the text of their licence. */
+const packages = new Set(Object.keys(metafile.inputs).map(file => /^(node_modules\/.*?[^/]+)\/(?:src|build|dist|index)/.exec(file)?.[1]));
+const byLicence = new Map();
+for (const folder of [...packages].filter(Boolean).sort()) {
+  const {name, version, license, repository} = read(join(folder, 'package.json'));
+  // Some parts of Vega leave the text to the package of the whole, from the same repository.
+  const place = [folder, 'node_modules/vega'].find(each => readdirSync(join(here, each)).includes('LICENSE'));
+  if (place !== folder && repository !== 'vega/vega') throw new Error(`${name}: no file with its licence`);
+  const text = readFileSync(join(here, place, 'LICENSE'), 'utf8').trim();
+  byLicence.set(text, [...byLicence.get(text) ?? [], `${name} ${version} (${license})`]);
+}
+writeFileSync(join(out, 'LICENCES'), 'vega.js contains these packages:\n' +
+              [...byLicence].map(([text, names]) => `\n${names.join('\n')}\n\n${text}\n`).join('\n'));

@@ -3,7 +3,10 @@
 
 import {readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
-import {View, expressionInterpreter, parse, prepare, settle} from './runtime.js';
+
+// The runtime is a script for browsers, which defines `vega`.
+const runtime = readFileSync(new URL('vega.js', import.meta.url), 'utf8');
+const {View, expressionInterpreter, parse, prepare, settle} = new Function(`${runtime}; return vega;`)();
 
 // The colours of the light theme: for paper.
 const colours = {ground: '#ffffff', ink: '#1b1b1b', quiet: '#595959', rule: '#d0d0d0'};

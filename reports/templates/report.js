@@ -3,8 +3,6 @@
 // Draws the pictures of the report as they come into view, and gives each its controls: isolate a series, choose what is
 // shown, save as SVG, read the data as a table.
 (() => {
-  if (typeof vega === "undefined") return;
-
   const read = node => JSON.parse(node.textContent);
 
   // The numbers of a picture, with the texts of rows, which are numbers of lists on the page.

@@ -17,7 +17,6 @@ class Templates {
 
     explicit Templates(std::map<std::string, std::string, std::less<>> files) : files_(std::move(files)) {}
 
-    [[nodiscard]] bool has(std::string_view name) const { return files_.find(name) != files_.end(); }
     /// @throws UserError where there is no such file
     [[nodiscard]] const std::string& text(std::string_view name) const;
     [[nodiscard]] const std::map<std::string, std::string, std::less<>>& files() const { return files_; }

@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# With -v a run says what is planned, and every command which files it has written; of pictures those are drawn that are
-# asked for.
+# With -v a run says what is planned, and every command which files it has written.
 source "$(dirname "$0")/../harness.sh"
 
 small_study 3 >"$folder/study.toml"
@@ -13,15 +12,6 @@ expect_status 0
 ! grep -q wrote "$folder/stderr" || fail "expected files to be named with -v only"
 ffstudy report out --format csv --out again --verbose
 expect_stderr "wrote again/summary.csv"
-
-ffstudy report out --format svg --out drawn --pictures convergence --quiet
-expect_status 0
-ls drawn/pictures/convergence-*.svg >/dev/null || fail "expected the pictures that are named"
-[ -z "$(find drawn/pictures -type f ! -name 'convergence-*')" ] || fail "expected no others: $(ls drawn/pictures)"
-ffstudy report out --format svg --out none --pictures convergent
-expect_status 2
-expect_stderr "--pictures convergent (no picture has a name that begins so)"
-[ ! -e none ] || fail "expected nothing written"
 ffstudy report out --format csv --out none --pictures convergence
 expect_status 2
 expect_stderr "--pictures (says which are drawn by --format svg or pdf)"

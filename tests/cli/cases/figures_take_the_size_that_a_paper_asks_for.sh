@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # One picture of a study in the size that a paper asks for, letters included. (As PDF and PNG: figures_become_pdf_and_png.sh.)
+# Needs Node.js.
 source "$(dirname "$0")/../harness.sh"
 
 ffstudy convergence --sampler random,sobol,halton --samples 64,128,256 --trials 6 --out out --quiet

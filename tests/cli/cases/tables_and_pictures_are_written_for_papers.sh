@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Tables hold whatever users call their methods, and pictures are drawn without a browser. (LaTeX and PDF:
 # latex_compiles_tables_and_pictures.sh.)
+# Needs Node.js.
 source "$(dirname "$0")/../harness.sh"
 
 oddly_named_study >"$folder/study.toml"
@@ -26,6 +27,14 @@ for pictures in one two; do
 done
 expect_equal_files <(cd one && find . -type f | sort) <(cd two && find . -type f | sort)
 for file in one/pictures/*; do expect_equal_files "$file" "two/pictures/${file##*/}"; done
+ffstudy report out --format svg --out drawn --pictures convergence --quiet
+expect_status 0
+ls drawn/pictures/convergence-*.svg >/dev/null || fail "expected the pictures that are named"
+[ -z "$(find drawn/pictures -type f ! -name 'convergence-*')" ] || fail "expected no others: $(ls drawn/pictures)"
+ffstudy report out --format svg --out none --pictures convergent
+expect_status 2
+expect_stderr "--pictures convergent (no picture has a name that begins so)"
+[ ! -e none ] || fail "expected nothing written"
 for kind in convergence estimates bias-map cube; do
     ls one/pictures/$kind*.svg >/dev/null || fail "expected a picture $kind"
 done

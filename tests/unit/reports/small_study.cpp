@@ -103,7 +103,7 @@ patches_per_face = [4, 9]
 }
 
 const reports::Templates& shipped_templates() {
-    static const std::array<std::filesystem::path, 1> folders{FF_TEMPLATES};
+    static const std::array<std::filesystem::path, 2> folders{FF_TEMPLATES, FF_PICTURES};
     static const auto templates = reports::Templates::read(folders);
     return templates;
 }

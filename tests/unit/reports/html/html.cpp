@@ -6,6 +6,7 @@
 #include "tests/support/studies.hpp"
 #include "tests/unit/reports/small_study.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -59,6 +60,23 @@ TEST(HtmlReport, NamesTheProgramAndNothingElseThatDiffersBetweenRuns) {
     EXPECT_EQ(html_report(results, shipped_templates()), one);
 }
 
+/// What is measured of all built-in studies by scripts/docs.
+TEST(HtmlReport, OfALargeStudyStaysBelowItsLimit) {
+    std::string methods;
+    for (int i = 0; i < 50; ++i) {
+        methods += fmt::format("[[method]]\nname = \"m{}\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n", i);
+        methods += "samples_per_patch = [16, 32, 64, 128]\n";
+    }
+    const auto store =
+        test::fill(test::plan_of(test::study_text("trials = 5", methods)),
+                   [](std::size_t cell, std::uint64_t trial, int from, int to) {
+                       return 0.125 + static_cast<double>((cell + 3 * trial + 5 * from + 7 * to) % 4) / 16;
+                   });
+    const std::string text = html_report(studies::evaluate(store), shipped_templates());
+    EXPECT_LE(text.size(), 1'500'000u);
+    EXPECT_THAT(text, HasSubstr("more methods and sizes are in summary.csv."));
+}
+
 TEST(HtmlReport, BeginsWithTheVerdict) {
     const Headline top = headline(test::published_results());
     const std::string text = html_report(test::published_results(), shipped_templates());
@@ -93,7 +111,7 @@ TEST(Headline, BeginsWithTheAnswer) {
 TEST(Templates, AreTakenFromTheLastFolderFirst) {
     const test::TemporaryFolder own;
     std::ofstream(own.path() / "report.css") << "own {}";
-    const std::array<std::filesystem::path, 2> folders{FF_TEMPLATES, own.path()};
+    const std::array<std::filesystem::path, 3> folders{FF_TEMPLATES, FF_PICTURES, own.path()};
     const Templates templates = Templates::read(folders);
     EXPECT_EQ(templates.text("report.css"), "own {}");
     EXPECT_TRUE(templates.has("report.mustache"));
