@@ -2,7 +2,7 @@
 
 #include "core/points/stream.hpp"
 #include "studies/outside/outside_code.hpp"
-#include "studies/readers/file_kind.hpp"
+#include "studies/readers/text_file.hpp"
 
 #include <cstdint>
 #include <filesystem>

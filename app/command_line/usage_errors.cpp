@@ -2,7 +2,7 @@
 
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
-#include "studies/readers/file_kind.hpp"
+#include "studies/readers/text_file.hpp"
 
 #include <fmt/format.h>
 

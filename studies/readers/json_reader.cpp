@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
+#include <ranges>
 
 namespace ff::studies {
 namespace {
@@ -44,43 +44,14 @@ class Positions {
 /// Largest depth of nested objects and lists. No file of ours has more, and reading and destroying the tree recurse.
 constexpr std::size_t most_levels = 100;
 
-/// Reads the text and lets the builder see how far the parser has come: nlohmann's events carry no positions.
-class CountingIterator {
-  public:
-    // NOLINTBEGIN(readability-identifier-naming): names that the standard asks for
-    using iterator_category = std::input_iterator_tag;
-    using value_type = char;
-    using difference_type = std::ptrdiff_t;
-    using pointer = const char*;
-    using reference = const char&;
-    // NOLINTEND(readability-identifier-naming)
-
-    CountingIterator(const char* at, const char** reached) : at_(at), reached_(reached) {}
-    reference operator*() const { return *at_; }
-    CountingIterator& operator++() {
-        ++at_;
-        *reached_ = at_;
-        return *this;
-    }
-    CountingIterator operator++(int) {
-        const CountingIterator before = *this;
-        ++*this;
-        return before;
-    }
-    bool operator==(const CountingIterator& other) const { return at_ == other.at_; }
-
-  private:
-    const char* at_;
-    const char** reached_;
-};
-
 /// Builds the tree from the parser's events.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
   public:
     TreeBuilder(std::string_view text, std::string_view origin)
         : text_(text), origin_(origin), positions_(text), reached_(text.data()) {}
 
-    const char** reached() { return &reached_; }
+    /// The parser has come so far.
+    void set_reached(const char* at) { reached_ = at; }
     JsonValue take() { return std::move(root_); }
 
     bool null() override { return add(token_start(), JsonValue::Kind::null); }
@@ -94,8 +65,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
         const TextPosition position = positions_.of(string_start());
         if (open_.back()->find(value) != nullptr) {
             throw UserError(
-                fmt::format("{}the key \"{}\" stands twice in one object (only one could be used). "
-                            "Remove one.",
+                fmt::format("{}the key \"{}\" stands twice in one object (only one could be used). Remove one.",
                             describe(origin_, position), excerpt(value)));
         }
         key_ = std::move(value);
@@ -160,10 +130,9 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     bool add_number(double value) { return add(token_start(), JsonValue::Kind::number, value); }
     bool open(JsonValue::Kind kind) {
         if (open_.size() >= most_levels) {
-            throw UserError(
-                fmt::format("{}more than {} objects and lists within each other (no file of this program has "
-                            "more). Close some.",
-                            describe(origin_, positions_.of(consumed() - 1)), most_levels));
+            throw UserError(fmt::format(
+                "{}more than {} objects and lists within each other (no file of this program has more). Close some.",
+                describe(origin_, positions_.of(consumed() - 1)), most_levels));
         }
         open_.push_back(&place(consumed() - 1, kind));
         return true;
@@ -197,9 +166,12 @@ std::string describe(std::string_view origin, TextPosition position) {
 
 JsonValue parse_json(std::string_view text, std::string_view origin) {
     TreeBuilder builder(text, origin);
-    const CountingIterator first(text.data(), builder.reached());
-    const CountingIterator last(text.data() + text.size(), builder.reached());
-    nlohmann::json::sax_parse(first, last, &builder);
+    // Events of the library carry no positions: the builder is told of every letter that the parser takes.
+    const auto letters = text | std::views::transform([&](const char& letter) {
+                             builder.set_reached(&letter + 1);
+                             return letter;
+                         });
+    nlohmann::json::sax_parse(letters.begin(), letters.end(), &builder);
     return builder.take();
 }
 
@@ -274,8 +246,8 @@ std::size_t JsonReader::choice(const JsonValue& value, std::string_view key,
 
 std::string JsonReader::number_as_printed(const JsonValue& value, std::string_view key) const {
     if (value.kind != Kind::string) {
-        fail(value, fmt::format("\"{}\" must be given as a string (a JSON number loses trailing zeros). "
-                                "Put the digits in double quotes, exactly as printed.",
+        fail(value, fmt::format("\"{}\" must be given as a string (a JSON number loses trailing zeros). Put the digits "
+                                "in double quotes, exactly as printed.",
                                 key));
     }
     const std::string& digits = value.text;
@@ -283,8 +255,8 @@ std::string JsonReader::number_as_printed(const JsonValue& value, std::string_vi
                        std::count(digits.begin(), digits.end(), '.') <= 1 && digits.size() <= 16 &&
                        digits.find_first_of("0123456789") != std::string::npos;
     if (!plain) {
-        fail(value, fmt::format("\"{}\" is not a printed number (digits and at most one decimal point, 16 "
-                                "characters at most). Write null for a blank cell.",
+        fail(value, fmt::format("\"{}\" is not a printed number (digits and at most one decimal point, 16 characters "
+                                "at most). Write null for a blank cell.",
                                 excerpt(digits)));
     }
     return digits;

@@ -101,6 +101,12 @@ std::string_view problem_with_name(std::string_view name) {
     return {};
 }
 
+std::string first_names(std::vector<std::string> names, std::size_t most) {
+    const std::size_t more = names.size() - std::min(names.size(), most);
+    names.resize(names.size() - more);
+    return fmt::format("{}{}", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
 std::string toml_text(std::string_view text) {
     std::string out = "\"";
     for (const char c : text) {

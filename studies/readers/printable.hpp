@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ff::studies {
 
@@ -17,6 +18,9 @@ std::string_view problem_with_title(std::string_view title);
 
 /// Why tables and file names cannot contain a name; empty where they can.
 std::string_view problem_with_name(std::string_view name);
+
+/// The first names, and how many more there are: "a, b and 3 more".
+std::string first_names(std::vector<std::string> names, std::size_t most);
 
 /// The text in quotes, as TOML has it.
 std::string toml_text(std::string_view text);

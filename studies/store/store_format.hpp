@@ -1,7 +1,7 @@
 #pragma once
 
 #include "studies/readers/digest.hpp"
-#include "studies/readers/file_kind.hpp"
+#include "studies/readers/text_file.hpp"
 #include "studies/store/records.hpp"
 #include "studies/store/sqlite.hpp"
 
