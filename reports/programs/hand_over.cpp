@@ -4,7 +4,7 @@
 #include "core/support/nearest_name.hpp"
 #include "reports/csv/csv_records.hpp"
 #include "reports/text/numbers.hpp"
-#include "studies/scene_files/scene_source.hpp"
+#include "studies/scene_files/scene_file.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/Core>

@@ -2,7 +2,7 @@
 
 #include "core/geometry/scene.hpp"
 #include "studies/readers/json_reader.hpp"
-#include "studies/scene_files/scene_source.hpp"
+#include "studies/scene_files/scene_file.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -1,7 +1,6 @@
 #include "studies/scene_files/scene_file.hpp"
 
 #include "core/configurations/built_in_scene.hpp"
-#include "core/support/contract.hpp"
 #include "core/support/error.hpp"
 #include "core/support/words.hpp"
 #include "core/visibility/mirrors.hpp"
@@ -17,6 +16,12 @@
 
 namespace ff::studies {
 namespace {
+
+/// The name of an EnergyPlus file can be followed by this and the name of a zone.
+constexpr std::string_view before_zone = " zone:";
+/// The name of a scene can be followed by this and the faces that are mirrors.
+constexpr std::string_view before_mirrors = " mirrors:";
+constexpr char between_mirrors = '+';
 
 /// Formats without a unit of length of their own, or in metres.
 constexpr std::array<std::string_view, 9> mesh_extensions{".stl", ".ply", ".off", ".gltf", ".glb",
@@ -39,6 +44,48 @@ SceneWithMaterials scene_without_mirrors(const SceneSource& source) {
 }
 
 }  // namespace
+
+bool SceneSource::is_file() const {
+    return is_read_as_obj(name) || has_extension(name, ".toml") || has_extension(name, ".vs3") ||
+           names_energyplus(name);
+}
+
+std::string SceneSource::title() const {
+    const std::string place = zone.empty() ? name : fmt::format("{}{}{}", name, before_zone, zone);
+    if (mirrors.empty()) return place;
+    return fmt::format("{}{}{}", place, before_mirrors, fmt::join(mirrors, std::string_view(&between_mirrors, 1)));
+}
+
+std::string SceneSource::written() const {
+    return text ? fmt::format("{}\n{}", title(), *text) : title();
+}
+
+SceneSource scene_source(std::string_view written) {
+    const std::size_t end = written.find('\n');
+    if (end != std::string_view::npos) return source_of_file(written.substr(0, end), written.substr(end + 1));
+    SceneSource source;
+    const std::size_t at = written.rfind(before_mirrors);
+    source.name = written.substr(0, at);
+    const std::size_t zone = source.name.find(before_zone);
+    if (zone != std::string::npos && names_energyplus(source.name.substr(0, zone))) {
+        source.zone = source.name.substr(zone + before_zone.size());
+        source.name.resize(zone);
+    }
+    if (at == std::string_view::npos) return source;
+    std::string_view left = written.substr(at + before_mirrors.size());
+    while (true) {
+        const std::size_t next = left.find(between_mirrors);
+        source.mirrors.emplace_back(left.substr(0, next));
+        if (next == std::string_view::npos) return source;
+        left.remove_prefix(next + 1);
+    }
+}
+
+SceneSource source_of_file(std::string_view title, std::string_view text) {
+    SceneSource source = scene_source(title);
+    source.text = text;
+    return source;
+}
 
 bool has_extension(std::string_view name, std::string_view extension) {
     return in_small_letters(name).ends_with(extension);

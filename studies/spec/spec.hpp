@@ -3,7 +3,7 @@
 #include "core/estimators/estimator.hpp"
 #include "core/points/stream.hpp"
 #include "studies/readers/names.hpp"
-#include "studies/scene_files/scene_source.hpp"
+#include "studies/scene_files/scene_file.hpp"
 #include "studies/spec/request.hpp"
 #include "studies/spec/stopping_rule.hpp"
 

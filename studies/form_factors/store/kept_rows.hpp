@@ -2,7 +2,7 @@
 
 #include "studies/form_factors/request.hpp"
 #include "studies/form_factors/sampled_row.hpp"
-#include "studies/scene_files/scene_source.hpp"
+#include "studies/scene_files/scene_file.hpp"
 #include "studies/store/sqlite.hpp"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "studies/form_factors/form_factors.hpp"
-#include "studies/scene_files/scene_source.hpp"
+#include "studies/scene_files/scene_file.hpp"
 #include "studies/store/store.hpp"
 
 #include <filesystem>

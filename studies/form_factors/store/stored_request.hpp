@@ -1,7 +1,7 @@
 #pragma once
 
 #include "studies/form_factors/request.hpp"
-#include "studies/scene_files/scene_source.hpp"
+#include "studies/scene_files/scene_file.hpp"
 #include "studies/store/store_format.hpp"
 
 #include <filesystem>
