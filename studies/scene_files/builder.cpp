@@ -9,7 +9,7 @@
 #include "core/visibility/level_overlaps.hpp"
 #include "studies/readers/printable.hpp"
 #include "studies/scene_files/coordinate_rounding.hpp"
-#include "studies/scene_files/winding.hpp"
+#include "studies/scene_files/orientation.hpp"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -29,15 +28,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double most_bend = 1e-6;  // of a polygon out of its plane, relative to its size
+constexpr double most_bend = 1e-6;  // how far corners may be off the plane of a polygon, relative to its size
 constexpr double parallelogram_gap = 1e-12;
 constexpr std::array<std::string_view, 3> labels_of_sums{"all", "sum", "sum_re"};
 constexpr double largest_length = 1e30;  // squares of areas are numbers, in single precision lengths too
 
-/// The numbers that define a surface; for a polygon, independent of its first corner.
-using Numbers = std::array<double, 13>;
-
-Numbers numbers_of(const Surface& surface) {
+/// The numbers that define a surface, 13 whatever its shape; for a polygon, independent of its first corner.
+std::vector<double> numbers_of(const Surface& surface) {
     std::vector<double> list{static_cast<double>(surface.shape.index())};
     const auto put = [&](const Vector3d& v) { list.insert(list.end(), {v.x(), v.y(), v.z()}); };
     std::vector<Vector3d> polygon = corners(surface.shape);
@@ -58,59 +55,69 @@ Numbers numbers_of(const Surface& surface) {
         put(zone->axis);
         list.insert(list.end(), {zone->radius, zone->low, zone->high, static_cast<double>(zone->facing)});
     }
-    Numbers numbers{};
-    std::copy(list.begin(), list.end(), numbers.begin());
-    for (double& number : numbers) number += 0.0;  // -0 is 0
-    return numbers;
+    for (double& number : list) number += 0.0;  // -0 is 0
+    list.resize(13);
+    return list;
 }
 
+constexpr std::uint64_t empty_hash = 0xcbf29ce484222325ULL;
+
 /// FNV-1a over 64-bit words.
-class Fingerprint {
-  public:
-    void add(std::uint64_t word) {
-        for (int byte = 0; byte < 8; ++byte) {
-            hash_ ^= word >> (8 * byte) & 0xff;
-            hash_ *= 0x100000001b3ULL;
-        }
+void mix(std::uint64_t& hash, std::uint64_t word) {
+    for (int byte = 0; byte < 8; ++byte) {
+        hash ^= word >> (8 * byte) & 0xff;
+        hash *= 0x100000001b3ULL;
     }
-    [[nodiscard]] std::uint64_t value() const { return hash_; }
+}
 
-  private:
-    std::uint64_t hash_ = 0xcbf29ce484222325ULL;
-};
-
-std::uint64_t fingerprint(const Numbers& numbers) {
-    Fingerprint print;
-    for (const double number : numbers) print.add(std::bit_cast<std::uint64_t>(number));
-    return print.value();
+std::uint64_t fingerprint(const Surface& surface) {
+    std::uint64_t hash = empty_hash;
+    for (const double number : numbers_of(surface)) mix(hash, std::bit_cast<std::uint64_t>(number));
+    return hash;
 }
 
 /// The identity of a scene: its surfaces, independent of the order of their corners.
 std::string canonical_of(const Scene& scene) {
-    Fingerprint content;
-    content.add(scene.closed ? 1 : 0);
+    std::uint64_t content = empty_hash;
+    mix(content, scene.closed ? 1 : 0);
     for (const Surface& surface : scene.surfaces) {
-        content.add(fingerprint(numbers_of(surface)));
-        content.add(static_cast<std::uint64_t>(surface.face));
-        for (const double component : surface.normal) content.add(std::bit_cast<std::uint64_t>(component + 0.0));
+        mix(content, fingerprint(surface));
+        mix(content, static_cast<std::uint64_t>(surface.face));
+        for (const double component : surface.normal) mix(content, std::bit_cast<std::uint64_t>(component + 0.0));
         // Scenes without grids keep the identity that they had before there were grids.
         if (surface.grid == undivided) continue;
-        content.add(surface.grid.columns);
-        content.add(surface.grid.rows);
+        mix(content, surface.grid.columns);
+        mix(content, surface.grid.rows);
     }
-    return fmt::format("scene {:016x}", content.value());
+    return fmt::format("scene {:016x}", content);
 }
 
+/// The messages for one polygon, and for several.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> words_of_changes{{
+    {"has no area and is left out", "have no area and are left out"},
+    {"is a copy of another and is left out", "are copies of others and are left out"},
+    {"is not plane and is divided into triangles", "are not plane and are divided into triangles"},
+    {"is not convex and is divided into triangles", "are not convex and are divided into triangles"},
+    {"is wound in the opposite direction to the rest of its face and is turned round",
+     "are wound in the opposite direction to the rest of their faces and are turned round"},
+}};
+
 }  // namespace
+
+double size_from_first(const std::vector<Vector3d>& corners) {
+    double size = 0;
+    for (const Vector3d& corner : corners) size = std::max(size, (corner - corners[0]).norm());
+    return size;
+}
 
 int SceneBuilder::face(const std::string& label, std::uint64_t line) {
     if (const auto known = faces_.find(label); known != faces_.end()) return known->second;
     if (const auto problem = problem_with_name(label); !problem.empty())
-        fail(line, fmt::format("face '{}' {}", excerpt(label), problem));
+        fail(line, "face '{}' {}", excerpt(label), problem);
     const bool is_of_sums = std::find(labels_of_sums.begin(), labels_of_sums.end(), label) != labels_of_sums.end();
     const std::string name = reserve_name(label, is_of_sums);
     if (is_of_sums) {
-        remark(fmt::format("face '{}' is called '{}', since results have sums under that name", label, name));
+        remark("face '{}' is called '{}', since results have sums under that name", label, name);
     }
     scene_.faces.push_back(name);
     return faces_[label] = static_cast<int>(scene_.faces.size()) - 1;
@@ -166,36 +173,31 @@ void SceneBuilder::append(Surface surface, std::uint64_t line) {
         const Extent along = extent(surface, Vector3d::Unit(axis));
         // Written so that NaN fails as well.
         if (!(std::max(std::abs(along.low), std::abs(along.high)) <= largest_length)) {
-            fail(line, fmt::format("{} reaches beyond {:g}. Use another unit of length.", owner(surface.face),
-                                   largest_length));
+            fail(line, "{} reaches beyond {:g}. Use another unit of length.", owner(surface.face), largest_length);
         }
         size = std::max(size, along.high - along.low);
     }
     if (!(area(surface.shape) > least_share_of_area * size * size)) {
-        fail(line, fmt::format("{} has no area (nothing leaves it or arrives). Remove it.", owner(surface.face)));
+        fail(line, "{} has no area (nothing leaves it or arrives). Remove it.", owner(surface.face));
     }
     scene_.surfaces.push_back(std::move(surface));
     lines_.push_back(line);
 }
 
 bool SceneBuilder::has_area(const std::vector<Vector3d>& corners, std::uint64_t line) {
-    double size = 0;
-    for (const Vector3d& corner : corners) size = std::max(size, (corner - corners[0]).norm());
+    const double size = size_from_first(corners);
     // Surfaces that are too large to decide are refused later.
     if (size > largest_length || twice_area(corners).norm() > least_share_of_area * size * size) return true;
-    changes_.note(PolygonChange::no_area, line);
+    note(PolygonChange::no_area, line);
     return false;
 }
 
 void SceneBuilder::add_polygon(const std::vector<Vector3d>& corners, int face, std::uint64_t line) {
     const std::size_t n = corners.size();
-    double size = 0;
-    for (const Vector3d& corner : corners) {
-        note(corner);
-        size = std::max(size, (corner - corners[0]).norm());
-    }
+    const double size = size_from_first(corners);
+    for (const Vector3d& corner : corners) note(corner);
     if (size > largest_length) {
-        fail(line, fmt::format("{} reaches beyond {:g}. Use another unit of length.", owner(face), largest_length));
+        fail(line, "{} reaches beyond {:g}. Use another unit of length.", owner(face), largest_length);
     }
     const Vector3d normal = twice_area(corners).normalized();
     bool is_convex = true;
@@ -221,9 +223,8 @@ void SceneBuilder::add_polygon(const std::vector<Vector3d>& corners, int face, s
         for (std::size_t i = 1; i + 1 < n; ++i) triangles.push_back({0, i, i + 1});
     } else {
         triangles = clip_ears(corners);
-        if (triangles.empty())
-            fail(line, fmt::format("edges of {} cross each other. Divide it into triangles.", owner(face)));
-        changes_.note(is_convex ? PolygonChange::bent : PolygonChange::concave, line);
+        if (triangles.empty()) fail(line, "edges of {} cross each other. Divide it into triangles.", owner(face));
+        note(is_convex ? PolygonChange::bent : PolygonChange::concave, line);
     }
     for (const auto& [a, b, c] : triangles) {
         const Vector3d own = (corners[b] - corners[a]).cross(corners[c] - corners[a]);
@@ -232,19 +233,10 @@ void SceneBuilder::add_polygon(const std::vector<Vector3d>& corners, int face, s
     }
 }
 
-void SceneBuilder::turn_surfaces() {
-    if (!has_windings_) return;
-    for (const std::size_t surface : find_winding(scene_).turned) {
-        scene_.surfaces[surface].normal *= -1;
-        changes_.note(PolygonChange::turned, lines_[surface]);
-    }
-}
-
 /// Keeps one of several identical surfaces of a face. Two that face opposite ways are the sides of a thin plate.
 void SceneBuilder::leave_out_doubles() {
     std::vector<std::pair<std::uint64_t, std::size_t>> prints;
-    for (std::size_t i = 0; i < scene_.surfaces.size(); ++i)
-        prints.emplace_back(fingerprint(numbers_of(scene_.surfaces[i])), i);
+    for (const Surface& surface : scene_.surfaces) prints.emplace_back(fingerprint(surface), prints.size());
     std::sort(prints.begin(), prints.end());
     std::vector<bool> is_double(scene_.surfaces.size());
     for (std::size_t i = 0; i < prints.size(); ++i) {
@@ -255,11 +247,10 @@ void SceneBuilder::leave_out_doubles() {
             const Surface& other = scene_.surfaces[first];
             if (numbers_of(other) != numbers_of(surface) || other.normal.dot(surface.normal) < 0) continue;
             if (other.face != surface.face)
-                fail(lines_[second],
-                     fmt::format("{} is the same as {} of line {} (rays could end on either). Keep one.",
-                                 owner(surface.face), owner(other.face), lines_[first]));
+                fail(lines_[second], "{} is the same as {} of line {} (rays could end on either). Keep one.",
+                     owner(surface.face), owner(other.face), lines_[first]);
             is_double[second] = true;
-            changes_.note(PolygonChange::twice, lines_[second]);
+            note(PolygonChange::twice, lines_[second]);
             break;
         }
     }
@@ -269,8 +260,8 @@ void SceneBuilder::leave_out_doubles() {
         scene_.surfaces[kept] = scene_.surfaces[i];
         lines_[kept++] = lines_[i];
     }
-    scene_.surfaces.erase(scene_.surfaces.begin() + static_cast<std::ptrdiff_t>(kept), scene_.surfaces.end());
-    lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(kept), lines_.end());
+    scene_.surfaces.resize(kept);
+    lines_.resize(kept);
 }
 
 void SceneBuilder::cut_out_covered_parts(std::vector<FaceMaterial>* materials) {
@@ -307,6 +298,24 @@ void SceneBuilder::cut_out_covered_parts(std::vector<FaceMaterial>* materials) {
     if (materials != nullptr) *materials = std::move(kept_materials);
 }
 
+/// With the number of polygons for each kind of change, and the first lines.
+void SceneBuilder::remark_on_changes() {
+    constexpr std::size_t most_named = 3;
+    for (std::size_t kind = 0; kind < changes_.size(); ++kind) {
+        std::vector<std::uint64_t>& lines = changes_[kind];
+        if (lines.empty()) continue;
+        const auto& [one, many] = words_of_changes[kind];
+        const std::string what =
+            lines.size() == 1 ? fmt::format("a polygon {}", one) : fmt::format("{} polygons {}", lines.size(), many);
+        std::sort(lines.begin(), lines.end());
+        lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+        const std::size_t left = lines.size() - std::min(lines.size(), most_named);
+        lines.resize(lines.size() - left);
+        remark("{} ({} {}{})", what, lines.size() == 1 ? "line" : "lines", fmt::join(lines, ", "),
+               left > 0 ? fmt::format(" and {} more", left) : "");
+    }
+}
+
 Scene SceneBuilder::finish(bool closed, std::vector<FaceMaterial>* materials) {
     if (scene_.faces.empty()) throw UserError(fmt::format("{}: no face (nothing would be computed). Add one.", name_));
     std::vector<std::size_t> surfaces_of(scene_.faces.size());
@@ -314,14 +323,16 @@ Scene SceneBuilder::finish(bool closed, std::vector<FaceMaterial>* materials) {
         if (surface.face != no_face) ++surfaces_of[static_cast<std::size_t>(surface.face)];
     }
     for (std::size_t face = 0; face < surfaces_of.size(); ++face) {
-        if (surfaces_of[face] == 0) {
+        if (surfaces_of[face] == 0)
             throw UserError(
                 fmt::format("{}: face '{}' has no surface. Remove it, or give it one.", name_, scene_.faces[face]));
-        }
     }
     leave_out_doubles();
-    turn_surfaces();
-    for (std::string& text : changes_.in_words()) remark(std::move(text));
+    for (const std::size_t surface : has_windings_ ? find_winding(scene_).turned : std::vector<std::size_t>()) {
+        scene_.surfaces[surface].normal *= -1;
+        note(PolygonChange::turned, lines_[surface]);
+    }
+    remark_on_changes();
     scene_.name = name_;
     scene_.closed = closed;
     Eigen::AlignedBox3d box;
@@ -330,10 +341,8 @@ Scene SceneBuilder::finish(bool closed, std::vector<FaceMaterial>* materials) {
     scene_.coordinate_rounding = coordinate_rounding(coordinates, box.sizes().maxCoeff());
     cut_out_covered_parts(materials);
     if (scene_.faces.empty())
-        throw UserError(
-            fmt::format("{}: faces cover each other wholly (nothing would be computed). Remove those that "
-                        "are not meant.",
-                        name_));
+        throw UserError(fmt::format(
+            "{}: faces cover each other wholly (nothing would be computed). Remove those that are not meant.", name_));
     scene_.canonical = canonical_of(scene_);
     return std::move(scene_);
 }

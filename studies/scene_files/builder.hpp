@@ -1,9 +1,12 @@
 #pragma once
 
 #include "core/geometry/scene.hpp"
-#include "studies/scene_files/polygon_changes.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
+#include <fmt/format.h>
+
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -16,6 +19,12 @@ namespace ff::studies {
 
 /// Least area of a surface relative to its squared extent.
 inline constexpr double least_share_of_area = 1e-12;
+
+/// What is done with a polygon that cannot be used as it is: it is left out, divided or turned round.
+enum class PolygonChange { no_area, twice, bent, concave, turned };
+
+/// The largest distance of a corner from the first.
+double size_from_first(const std::vector<Eigen::Vector3d>& corners);
 
 /// Collects the surfaces of a scene file, and rejects unusable ones by file and line.
 class SceneBuilder {
@@ -45,10 +54,19 @@ class SceneBuilder {
     /// @pre it has an area @throws UserError where its edges cross each other, or it is too large
     void add_polygon(const std::vector<Eigen::Vector3d>& corners, int face, std::uint64_t line);
 
-    /// Adds a remark about the scene as read.
+    /// Adds a remark about the scene as read, which may have values in it as for fmt::format.
     void remark(std::string text) { scene_.remarks.push_back(std::move(text)); }
+    template <class... Values>
+    void remark(fmt::format_string<Values...> text, Values&&... values) {
+        remark(fmt::format(text, std::forward<Values>(values)...));
+    }
 
+    /// Refuses what stands in a line; the problem may have values in it as for fmt::format.
     [[noreturn]] void fail(std::uint64_t line, std::string_view problem) const;
+    template <class... Values>
+    [[noreturn]] void fail(std::uint64_t line, fmt::format_string<Values...> problem, Values&&... values) const {
+        fail(line, fmt::format(problem, std::forward<Values>(values)...));
+    }
 
     /// Reverses surfaces that face the other way than the rest of their face, leaves out duplicates, and cuts out the
     /// parts of surfaces that bodies stand on. Faces of which nothing remains are left out.
@@ -59,7 +77,10 @@ class SceneBuilder {
   private:
     [[nodiscard]] std::string owner(int face) const;
     [[nodiscard]] std::string free_name(const std::string& label, bool numbered = false) const;
-    void turn_surfaces();
+    void note(PolygonChange change, std::uint64_t line) {
+        changes_.at(static_cast<std::size_t>(change)).push_back(line);
+    }
+    void remark_on_changes();
     void leave_out_doubles();
     void note(const Eigen::Vector3d& place);
     void append(Surface surface, std::uint64_t line);
@@ -67,11 +88,11 @@ class SceneBuilder {
 
     std::string name_;
     Scene scene_;
-    std::unordered_map<std::string, int> faces_;  ///< faces by their names in the file
-    std::unordered_set<std::string> names_;       ///< names that faces and masks have in the scene
-    std::vector<std::uint64_t> lines_;            ///< one per surface
-    PolygonChanges changes_;
-    bool has_windings_ = true;                ///< every surface is a polygon whose corners tell its side
+    std::unordered_map<std::string, int> faces_;         ///< faces by their names in the file
+    std::unordered_set<std::string> names_;              ///< names that faces and masks have in the scene
+    std::vector<std::uint64_t> lines_;                   ///< one per surface
+    std::array<std::vector<std::uint64_t>, 5> changes_;  ///< lines of the polygons, by what was done with them
+    bool has_windings_ = true;                           ///< every surface is a polygon whose corners tell its side
     std::unordered_set<double> coordinates_;  ///< different ones, without signs and 0; of a large file, the first
 };
 

@@ -1,10 +1,10 @@
 #include "core/geometry/placement.hpp"
 #include "core/visibility/level_overlaps.hpp"
 #include "core/visibility/mirrors.hpp"
+#include "studies/readers/printable.hpp"
 #include "studies/scene_files/formats.hpp"
 #include "studies/scene_files/orientation.hpp"
 #include "studies/scene_files/scene_file.hpp"
-#include "studies/scene_files/winding.hpp"
 
 #include <fmt/format.h>
 
@@ -25,28 +25,29 @@ constexpr std::size_t most_faces_examined = 4096;
 /// The rounding of coordinates is noticeable above this share of a face's size, which is the root of its area.
 constexpr double noticeable = 1e-9;
 
-/// "1 ray", "2 rays".
-std::string counted(std::size_t count, std::string_view thing) {
-    return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+/// Adds a text after the name of the scene.
+template <class... Values>
+void add(std::vector<std::string>& doubts, const Scene& scene, fmt::format_string<Values...> text, Values&&... values) {
+    doubts.push_back(fmt::format("scene '{}': {}", scene.name, fmt::format(text, std::forward<Values>(values)...)));
+}
+
+std::string and_other_pairs(std::size_t count) {
+    return count == 0 ? std::string() : fmt::format(" and {} other pair{}", count, count == 1 ? "" : "s");
 }
 
 /// The names of some faces, and how many more there are.
 std::string names(const Scene& scene, const std::vector<std::size_t>& faces) {
-    std::string text = faces.size() == 1 ? "face" : "faces";
-    for (std::size_t i = 0; i < std::min(faces.size(), most_named); ++i)
-        text += fmt::format("{} '{}'", i == 0 ? "" : ",", scene.faces[faces[i]]);
-    return faces.size() > most_named ? text + fmt::format(" and {} more", faces.size() - most_named) : text;
+    std::vector<std::string> all;
+    for (const std::size_t face : faces) all.push_back(fmt::format("'{}'", scene.faces[face]));
+    return fmt::format("{} {}", faces.size() == 1 ? "face" : "faces", first_names(std::move(all), most_named));
 }
 
-/// Overlaps of the same two faces (no_face: occluders).
-struct Overlap {
-    std::size_t surfaces = 0;
-    double area = 0;
-};
+const std::string& name_of_face(const Scene& scene, int face) {
+    return scene.faces[static_cast<std::size_t>(face)];
+}
 
 std::string face_in_words(const Scene& scene, int face) {
-    return face < 0 ? std::string("an occluder")
-                    : fmt::format("face '{}'", scene.faces[static_cast<std::size_t>(face)]);
+    return face < 0 ? std::string("an occluder") : fmt::format("face '{}'", name_of_face(scene, face));
 }
 
 /// The two sides of a thin wall may be as close to each other as they like.
@@ -54,8 +55,8 @@ void add_near(const Scene& scene, const LevelOverlap& overlap, SceneDoubts& doub
     const auto [low, high] = std::minmax(scene.surfaces[overlap.first].face, scene.surfaces[overlap.second].face);
     if (!overlap.same_side || high < 0) return;
     std::string note = fmt::format(
-        "scene '{}': {} and {} lie over each other, less than a millionth of their size apart (the one in "
-        "front is taken to hide the other)",
+        "scene '{}': {} and {} lie over each other, less than a millionth of their size apart (the one in front is "
+        "taken to hide the other)",
         scene.name, face_in_words(scene, low), face_in_words(scene, high));
     if (std::find(doubts.notes.begin(), doubts.notes.end(), note) == doubts.notes.end())
         doubts.notes.push_back(std::move(note));
@@ -64,40 +65,36 @@ void add_near(const Scene& scene, const LevelOverlap& overlap, SceneDoubts& doub
 void add_covered(const Scene& scene, SceneDoubts& doubts) {
     for (const CoveredPart& part : scene.covered) {
         const bool whole = part.area == part.whole;
-        doubts.notes.push_back(fmt::format(
-            "scene '{}': {} of face '{}' is covered, by a body that stands on it or by what it stands on ({})",
-            scene.name, whole ? "all" : fmt::format("{:.3g} %", 100 * part.area / part.whole), part.face,
-            whole ? "the face is left out" : "that part is left out, and its area is that of the rest"));
+        add(doubts.notes, scene, "{} of face '{}' is covered, by a body that stands on it or by what it stands on ({})",
+            whole ? "all" : fmt::format("{:.3g} %", 100 * part.area / part.whole), part.face,
+            whole ? "the face is left out" : "that part is left out, and its area is that of the rest");
     }
 }
 
 void add_remarks(const Scene& scene, SceneDoubts& doubts) {
-    for (const std::string& remark : scene.remarks)
-        doubts.notes.push_back(fmt::format("scene '{}': {}", scene.name, remark));
+    for (const std::string& remark : scene.remarks) add(doubts.notes, scene, "{}", remark);
 }
 
 /// Edges that two polygons run through in the same direction, so that they do not bound a body.
 void add_winding(const Scene& scene, SceneDoubts& doubts) {
     for (const int face : find_winding(scene).undecided)
-        doubts.faults.push_back(fmt::format(
-            "scene '{}': polygons of face '{}' are wound in opposite directions, as many one way as the other (half of "
-            "what it sends is lost). Write the corners of each counter-clockwise as seen from the side that radiates.",
-            scene.name, scene.faces[static_cast<std::size_t>(face)]));
+        add(doubts.faults, scene,
+            "polygons of face '{}' are wound in opposite directions, as many one way as the other (half of what it "
+            "sends is lost). Write the corners of each counter-clockwise as seen from the side that radiates.",
+            name_of_face(scene, face));
     if (scene.closed) return;  // rays tell more
     const auto pairs = faces_wound_differently(scene);
     if (pairs.empty()) return;
     const auto& [first, second] = pairs.front();
-    doubts.notes.push_back(fmt::format(
-        "scene '{}': faces '{}' and '{}'{} run through a common edge in the same direction (one of them may "
-        "face the wrong way)",
-        scene.name, scene.faces[static_cast<std::size_t>(first)], scene.faces[static_cast<std::size_t>(second)],
-        pairs.size() > 1 ? fmt::format(" and {}", counted(pairs.size() - 1, "other pair")) : ""));
+    add(doubts.notes, scene,
+        "faces '{}' and '{}'{} run through a common edge in the same direction (one of them may face the wrong way)",
+        name_of_face(scene, first), name_of_face(scene, second), and_other_pairs(pairs.size() - 1));
 }
 
 void add_overlaps(const Scene& scene, SceneDoubts& doubts) {
     const Placement placement = placement_of(scene);
     const Scene where = placed(scene, placement);
-    std::map<std::tuple<bool, int, int>, Overlap> by_faces;
+    std::map<std::tuple<bool, int, int>, double> areas;  // by whether they face the same way, and the two faces
     for (const LevelOverlap& overlap : level_overlaps(where)) {
         if (!overlap.level) {
             add_near(scene, overlap, doubts);
@@ -105,48 +102,40 @@ void add_overlaps(const Scene& scene, SceneDoubts& doubts) {
         }
         const auto [low, high] = std::minmax(scene.surfaces[overlap.first].face, scene.surfaces[overlap.second].face);
         if (high < 0) continue;  // overlapping occluders are harmless
-        Overlap& all = by_faces[{overlap.same_side, low, high}];
-        ++all.surfaces;
-        all.area += overlap.area * placement.unit * placement.unit;
+        areas[{overlap.same_side, low, high}] += overlap.area * placement.unit * placement.unit;
     }
     std::size_t back_to_back = 0;
     std::string an_example;
-    for (const auto& [key, overlap] : by_faces) {
+    for (const auto& [key, area] : areas) {
         const auto& [same_side, low, high] = key;
-        const std::string& face = scene.faces[static_cast<std::size_t>(high)];
-        const double share = 100 * overlap.area / face_area(scene, high);
+        const std::string& face = name_of_face(scene, high);
+        const double share = 100 * area / face_area(scene, high);
         if (low < 0) {
-            (same_side ? doubts.faults : doubts.notes)
-                .push_back(fmt::format(
-                    "scene '{}': an occluder lies on face '{}' in one plane and covers {:.3g} % of it (it is taken to "
-                    "lie "
-                    "behind the face and hides nothing of it). Move it a little in front of the face, or cut the face "
-                    "out beneath it.",
-                    scene.name, face, share));
+            add(same_side ? doubts.faults : doubts.notes, scene,
+                "an occluder lies on face '{}' in one plane and covers {:.3g} % of it (it is taken to lie behind the "
+                "face and hides nothing of it). Move it a little in front of the face, or cut the face out beneath it.",
+                face, share);
         } else if (same_side && low == high) {
-            doubts.faults.push_back(
-                fmt::format("scene '{}': surfaces of face '{}' lie over each other in one plane, {:.3g} % of it (what "
-                            "lies twice is counted twice). Remove one of them.",
-                            scene.name, face, share));
+            add(doubts.faults, scene,
+                "surfaces of face '{}' lie over each other in one plane, {:.3g} % of it (what lies twice is counted "
+                "twice). Remove one of them.",
+                face, share);
         } else if (same_side) {
-            doubts.faults.push_back(fmt::format(
-                "scene '{}': faces '{}' and '{}' lie over each other in one plane and radiate to the same side, {:.3g} "
-                "% "
-                "of '{}' (neither is taken to hide the other: what arrives there is counted for one or for both). Move "
-                "the one that is seen a little to the front, or cut the other out beneath it.",
-                scene.name, scene.faces[static_cast<std::size_t>(low)], face, share, face));
+            add(doubts.faults, scene,
+                "faces '{}' and '{}' lie over each other in one plane and radiate to the same side, {:.3g} % of '{}' "
+                "(neither is taken to hide the other: what arrives there is counted for one or for both). Move the one "
+                "that is seen a little to the front, or cut the other out beneath it.",
+                name_of_face(scene, low), face, share, face);
         } else if (back_to_back++ == 0) {
-            an_example = low == high
-                             ? fmt::format("surfaces of face '{}'", face)
-                             : fmt::format("faces '{}' and '{}'", scene.faces[static_cast<std::size_t>(low)], face);
+            an_example = low == high ? fmt::format("surfaces of face '{}'", face)
+                                     : fmt::format("faces '{}' and '{}'", name_of_face(scene, low), face);
         }
     }
     if (back_to_back > 0) {
-        doubts.notes.push_back(fmt::format(
-            "scene '{}': {}{} lie in one plane back to back (they are taken for the two sides of a thin wall: nothing "
-            "passes between them)",
-            scene.name, an_example,
-            back_to_back > 1 ? fmt::format(" and {}", counted(back_to_back - 1, "other pair")) : ""));
+        add(doubts.notes, scene,
+            "{}{} lie in one plane back to back (they are taken for the two sides of a thin wall: nothing passes "
+            "between them)",
+            an_example, and_other_pairs(back_to_back - 1));
     }
 }
 
@@ -164,26 +153,26 @@ void add_resolution(const Scene& scene, SceneDoubts& doubts) {
         least = std::min(least, size);
     }
     if (small.empty()) return;
-    doubts.notes.push_back(fmt::format(
-        "scene '{}': {} {} small beside coordinates of {:.2g} (which are rounded: {}factors of a face of size "
-        "{:.2g} are known to {:.1g} at best)",
-        scene.name, names(scene, small), small.size() == 1 ? "is" : "are", farthest, rounding > 0 ? "" : "sampled ",
-        least, step / least));
+    add(doubts.notes, scene,
+        "{} {} small beside coordinates of {:.2g} (which are rounded: {}factors of a face of size {:.2g} are known to "
+        "{:.1g} at best)",
+        names(scene, small), small.size() == 1 ? "is" : "are", farthest, rounding > 0 ? "" : "sampled ", least,
+        step / least);
 }
 
 /// Coordinates with so few digits that faces are not where they were meant.
 void add_rounding(const Scene& scene, SceneDoubts& doubts) {
-    constexpr double too_much = 0.01;  // of a face's size
+    constexpr double too_much = 0.01;  // as a share of a face's size
     std::vector<std::size_t> small;
     for (std::size_t face = 0; face < scene.faces.size(); ++face) {
         if (scene.coordinate_rounding > too_much * std::sqrt(face_area(scene, static_cast<int>(face))))
             small.push_back(face);
     }
     if (small.empty()) return;
-    doubts.faults.push_back(fmt::format(
-        "scene '{}': coordinates seem to be rounded to {:.1g}, which is more than a hundredth of the size of {}. Write "
-        "them with more digits, or move the scene to the origin first.",
-        scene.name, 2 * scene.coordinate_rounding, names(scene, small)));
+    add(doubts.faults, scene,
+        "coordinates seem to be rounded to {:.1g}, which is more than a hundredth of the size of {}. Write them with "
+        "more digits, or move the scene to the origin first.",
+        2 * scene.coordinate_rounding, names(scene, small));
 }
 
 /// A room whose walls face outwards, whether or not it is said to be closed: no front sees a front, but backs see
@@ -211,15 +200,13 @@ std::string how_to_turn(const Scene& scene, std::size_t faces) {
 void add_orientation(const Scene& scene, SceneDoubts& doubts) {
     const SideProbes probes = probe_sides(scene);
     const bool known = mirrors(scene).empty();
-    const std::string name = fmt::format("scene '{}'", scene.name);
     if (known && is_inside_out(probes)) {
         // The outside of a convex body, alone in open space, looks like a room that is inside out.
         const bool may_be_meant = !scene.closed && !probes.any_met(0);
-        (may_be_meant ? doubts.notes : doubts.faults)
-            .push_back(fmt::format("{}: faces seem to face outwards (no ray from a radiating side meets another, while "
-                                   "most from the backs meet backs). {}{}",
-                                   name, may_be_meant ? "If a room is meant, it is inside out. " : "",
-                                   how_to_turn(scene, scene.faces.size())));
+        add(may_be_meant ? doubts.notes : doubts.faults, scene,
+            "faces seem to face outwards (no ray from a radiating side meets another, while most from the backs meet "
+            "backs). {}{}",
+            may_be_meant ? "If a room is meant, it is inside out. " : "", how_to_turn(scene, scene.faces.size()));
         return;
     }
     std::vector<std::size_t> leaking;
@@ -242,26 +229,24 @@ void add_orientation(const Scene& scene, SceneDoubts& doubts) {
         std::vector<std::string> ends;
         if (from_backs > 0) ends.push_back(fmt::format("{} end on backs", from_backs));
         if (leaks) ends.push_back(fmt::format("{} meet nothing", lost));
-        (scene.closed ? doubts.faults : doubts.notes)
-            .push_back(fmt::format(
-                "{}: {} {} to face the wrong way (of {} rays, {}; with {} turned round, hardly any would). {}", name,
-                names(scene, turned), turned.size() == 1 ? "seems" : "seem", rays, fmt::join(ends, " and "),
-                turned.size() == 1 ? "it" : "them", how_to_turn(scene, turned.size())));
+        add(scene.closed ? doubts.faults : doubts.notes, scene,
+            "{} {} to face the wrong way (of {} rays, {}; with {} turned round, hardly any would). {}",
+            names(scene, turned), turned.size() == 1 ? "seems" : "seem", rays, fmt::join(ends, " and "),
+            turned.size() == 1 ? "it" : "them", how_to_turn(scene, turned.size()));
         return;
     }
     if (leaks) {
         // What passes through a small gap is measured with the form factors, and is not a fault below their tolerance.
         constexpr double small = 0.01;
         const bool is_small = static_cast<double>(lost) <= small * static_cast<double>(rays);
-        (is_small ? doubts.notes : doubts.faults)
-            .push_back(
-                fmt::format("{}: {} of {} rays meet nothing, though the scene is said to be closed (a {}, as seen "
-                            "from {}). Close it, or do not say that it is closed.",
-                            name, lost, rays, is_small ? "gap" : "hole", names(scene, leaking)));
+        add(is_small ? doubts.notes : doubts.faults, scene,
+            "{} of {} rays meet nothing, though the scene is said to be closed (a {}, as seen from {}). Close it, or "
+            "do not say that it is closed.",
+            lost, rays, is_small ? "gap" : "hole", names(scene, leaking));
     }
     if (!on_backs.empty()) {
-        doubts.notes.push_back(fmt::format("{}: most rays from {} end on backs (normals may face the wrong way)", name,
-                                           names(scene, on_backs)));
+        add(doubts.notes, scene, "most rays from {} end on backs (normals may face the wrong way)",
+            names(scene, on_backs));
     }
 }
 

@@ -58,10 +58,9 @@ class ZoneReader {
         for (const ZoneWall& wall : walls_) add(wall);
         remark_on_what_differs();
         if (walls_.empty())
-            throw UserError(
-                fmt::format("{}: zone '{}' has no surface that is read (nothing would be computed). Choose "
-                            "another one.",
-                            name_, excerpt(zones_.chosen())));
+            throw UserError(fmt::format(
+                "{}: zone '{}' has no surface that is read (nothing would be computed). Choose another one.", name_,
+                excerpt(zones_.chosen())));
         Scene scene = builder_.finish(true);
         return {std::move(scene), zones_.chosen()};
     }
@@ -79,9 +78,8 @@ class ZoneReader {
     double most_fitted_ = 0;                                          ///< how far off its wall a window was at most
 
     void remark_on(const std::vector<std::uint64_t>& lines, std::string_view one, std::string_view several) {
-        if (lines.size() == 1) builder_.remark(fmt::format("{} (line {})", one, lines[0]));
-        if (lines.size() > 1)
-            builder_.remark(fmt::format("{} {} (the first in line {})", lines.size(), several, lines[0]));
+        if (lines.size() == 1) builder_.remark("{} (line {})", one, lines[0]);
+        if (lines.size() > 1) builder_.remark("{} {} (the first in line {})", lines.size(), several, lines[0]);
     }
 
     void remark_on_what_differs() {
@@ -96,9 +94,9 @@ class ZoneReader {
         remark_on(
             fitted_,
             fmt::format("a window or door is {:.2g} off its wall, and is put into its plane and outline", most_fitted_),
-            fmt::format("windows and doors are up to {:.2g} off their walls, and are put into their planes and "
-                        "outlines",
-                        most_fitted_));
+            fmt::format(
+                "windows and doors are up to {:.2g} off their walls, and are put into their planes and outlines",
+                most_fitted_));
     }
 
     /// Corners as seen from the inside, in the coordinates of the zone that is read.
@@ -109,14 +107,13 @@ class ZoneReader {
         const bool is_open = count.empty() || in_small_letters(count).starts_with("auto");
         const std::size_t given = object.vertices.size();
         if (!is_open && (!announced || *announced != static_cast<double>(given)))
-            builder_.fail(
-                object.line_of("number_of_vertices"),
-                fmt::format("'{}' has {} vertices, and '{}' are announced{}. Correct the number, or the version: "
-                            "fields moved in 9.0 and 9.6.",
-                            excerpt(object.text("name")), given, excerpt(count), version_in_brackets()));
+            builder_.fail(object.line_of("number_of_vertices"),
+                          "'{}' has {} vertices, and '{}' are announced{}. Correct the number, or the version: fields "
+                          "moved in 9.0 and 9.6.",
+                          excerpt(object.text("name")), given, excerpt(count), version_in_brackets());
         if (given < 3)
-            builder_.fail(object.line, fmt::format("'{}' has {} vertices (a surface has three or more). Correct it.",
-                                                   excerpt(object.text("name")), given));
+            builder_.fail(object.line, "'{}' has {} vertices (a surface has three or more). Correct it.",
+                          excerpt(object.text("name")), given);
         ConvexPolygon corners;
         for (const energyplus::Vertex& vertex : object.vertices) {
             Vector3d place;
@@ -129,6 +126,15 @@ class ZoneReader {
         return corners;
     }
 
+    /// @param from  zone whose coordinates its corners are in
+    [[nodiscard]] Vs3Surface surface_of(const Object& object, const std::string& from, bool is_other_side) const {
+        Vs3Surface surface;
+        surface.line = object.line;
+        surface.name = fmt::format("{}{}", is_other_side ? prefix_of_other_side : "", object.text("name"));
+        surface.corners = corners_of(object, from, is_other_side);
+        return surface;
+    }
+
     /// An addition to a message for the case that fields were misinterpreted.
     [[nodiscard]] std::string version_in_brackets() const {
         return lacks_version_ ? fmt::format(" ({})", energyplus::without_version) : std::string();
@@ -138,17 +144,16 @@ class ZoneReader {
         const std::string& name = object.text("name");
         if (object.kind->shape == energyplus::Shape::rectangle)
             builder_.fail(object.line,
-                          fmt::format("'{}' is of the class {} (only surfaces with vertices are read). Write "
-                                      "it as BuildingSurface:Detailed or FenestrationSurface:Detailed.",
-                                      excerpt(name), object.kind->name));
+                          "'{}' is of the class {} (only surfaces with vertices are read). Write it as "
+                          "BuildingSurface:Detailed or FenestrationSurface:Detailed.",
+                          excerpt(name), object.kind->name);
         if (object.kind->name == "internalmass" && object.small_text("zone_or_zonelist_name") == zones_.zone())
             masses_.push_back(object.line);
         if (object.kind->shape != energyplus::Shape::polygon) return;
         const auto [first, is_new] = surfaces_.emplace(object.small_text("name"), &object);
         if (!is_new)
-            builder_.fail(
-                object.line,
-                fmt::format("surface '{}' is defined twice (others could mean either). Rename one.", excerpt(name)));
+            builder_.fail(object.line, "surface '{}' is defined twice (others could mean either). Rename one.",
+                          excerpt(name));
         if (object.kind->name != windows_class) read_wall(object);
     }
 
@@ -156,9 +161,8 @@ class ZoneReader {
         const std::string zone = object.small_text("zone_name");
         if (!zones_.is_defined(zone))
             builder_.fail(object.line_of("zone_name"),
-                          fmt::format("zone '{}' is not defined{}. Correct the name, or the version: fields moved in "
-                                      "9.6.",
-                                      excerpt(object.text("zone_name")), version_in_brackets()));
+                          "zone '{}' is not defined{}. Correct the name, or the version: fields moved in 9.6.",
+                          excerpt(object.text("zone_name")), version_in_brackets());
         const std::string boundary = object.small_text("outside_boundary_condition");
         const std::string behind = object.small_text("outside_boundary_condition_object");
         const bool is_own = zones_.is_chosen(zone, object.small_text("space_name"));
@@ -166,15 +170,8 @@ class ZoneReader {
                                    (boundary == "space" && zones_.is_chosen(zones_.zone_of_space(behind), behind));
         if (!is_own && !is_other_side) return;
         if (air_boundaries_.contains(object.small_text("construction_name"))) openings_.push_back(object.line);
-        const auto put = [&](bool other) {
-            Vs3Surface surface;
-            surface.line = object.line;
-            surface.name = fmt::format("{}{}", other ? prefix_of_other_side : "", object.text("name"));
-            surface.corners = corners_of(object, zone, other);
-            walls_.push_back({&object, std::move(surface), other, {}});
-        };
-        if (is_own) put(false);
-        if (is_other_side) put(true);
+        if (is_own) walls_.push_back({&object, surface_of(object, zone, false), false, {}});
+        if (is_other_side) walls_.push_back({&object, surface_of(object, zone, true), true, {}});
     }
 
     void read_window(const Object& object) {
@@ -182,30 +179,25 @@ class ZoneReader {
         constexpr std::string_view base_field = "building_surface_name", multiplier = "multiplier";
         const auto base = surfaces_.find(object.small_text(base_field));
         if (base == surfaces_.end() || base->second->kind->name == windows_class)
-            builder_.fail(
-                object.line_of(base_field),
-                fmt::format("'{}' lies on '{}', which is not a wall, floor or roof of this file. Correct the name.",
-                            excerpt(name), excerpt(object.text(base_field))));
+            builder_.fail(object.line_of(base_field),
+                          "'{}' lies on '{}', which is not a wall, floor or roof of this file. Correct the name.",
+                          excerpt(name), excerpt(object.text(base_field)));
         for (ZoneWall& wall : walls_) {
             if (wall.object != base->second) continue;
             if (!object.text(multiplier).empty() &&
                 energyplus::number_of_field(name_, object.fields.find(multiplier)->second, multiplier) != 1)
                 builder_.fail(
                     object.line_of(multiplier),
-                    fmt::format("'{}' stands for {} windows (form factors need each at its place). Write them "
-                                "one by one.",
-                                excerpt(name), excerpt(object.text(multiplier))));
+                    "'{}' stands for {} windows (form factors need each at its place). Write them one by one.",
+                    excerpt(name), excerpt(object.text(multiplier)));
             if (!object.text("frame_and_divider_name").empty()) frames_.push_back(object.line);
-            Vs3Surface window;
-            window.line = object.line;
-            window.name = fmt::format("{}{}", wall.is_other_side ? prefix_of_other_side : "", name);
-            window.corners = corners_of(object, wall.object->small_text("zone_name"), wall.is_other_side);
+            Vs3Surface window = surface_of(object, wall.object->small_text("zone_name"), wall.is_other_side);
             turn_around(window.corners, wall.surface.normal());
             const double most_off = std::min(most_off_base * size_of(wall.surface.corners), most_metres_off);
             const FitOnBase fit = fit_on_base(window, wall.surface, most_off);
             if (!fit.problem.empty())
-                builder_.fail(object.line, fmt::format("'{}' {} '{}', its base{}. Correct it.", excerpt(name),
-                                                       fit.problem, excerpt(wall.object->text("name")), fit.reason));
+                builder_.fail(object.line, "'{}' {} '{}', its base{}. Correct it.", excerpt(name), fit.problem,
+                              excerpt(wall.object->text("name")), fit.reason);
             if (fit.off > 0) fitted_.push_back(object.line);
             most_fitted_ = std::max(most_fitted_, fit.off);
             wall.windows.push_back(std::move(window));
@@ -218,10 +210,8 @@ class ZoneReader {
         if (!builder_.has_area(surface.corners, surface.line)) return;
         std::vector<const Vs3Surface*> parts;
         for (const Vs3Surface& window : wall.windows) parts.push_back(&window);
-        if (parts.empty()) {
-            builder_.add_polygon(surface.corners, builder_.new_face(surface.name, surface.line), surface.line);
-        } else if (const auto pieces = left_of_base(surface, parts); pieces.empty()) {
-            builder_.remark(fmt::format("what lies on '{}' leaves nothing of it; it is no face", surface.name));
+        if (const auto pieces = left_of_base(surface, parts); pieces.empty()) {
+            builder_.remark("what lies on '{}' leaves nothing of it; it is no face", surface.name);
         } else {
             const int face = builder_.new_face(surface.name, surface.line);
             for (const ConvexPolygon& piece : pieces) builder_.add_polygon(piece, face, surface.line);

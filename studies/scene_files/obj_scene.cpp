@@ -1,6 +1,6 @@
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
-#include "studies/scene_files/meshes/surface_mesh.hpp"
+#include "studies/scene_files/meshes/formats.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
 #include "core/geometry/placement.hpp"
@@ -90,8 +90,8 @@ class ObjReader {
     SceneWithMaterials finish() {
         choose_faces();
         for (const Polygon& polygon : polygons_) add(polygon);
-        if (scale_ != 1) builder_.remark(fmt::format("its lengths are multiplied by {}", scale_));
-        if (up_ != up_in_scenes) builder_.remark(fmt::format("its {} axis, which points up, becomes the z axis", up_));
+        if (scale_ != 1) builder_.remark("its lengths are multiplied by {}", scale_);
+        if (up_ != up_in_scenes) builder_.remark("its {} axis, which points up, becomes the z axis", up_);
         Scene scene = placed(builder_.finish(closed_, &materials_), {Eigen::Vector3d::Zero(), 1 / scale_});
         materials_.resize(scene.faces.size());
         return {std::move(scene), std::move(materials_)};
@@ -142,9 +142,8 @@ class ObjReader {
                           std::all_of(indices.begin() + 1, indices.end(),
                                       [&](std::string_view other) { return other.empty() || index(other) != 0; });
         if (!good)
-            builder_.fail(
-                line, fmt::format("corner {} is '{}' (vertices count from 1, or back from -1). Write f 1 2 3.", corner,
-                                  excerpt(word)));
+            builder_.fail(line, "corner {} is '{}' (vertices count from 1, or back from -1). Write f 1 2 3.", corner,
+                          excerpt(word));
         const std::int64_t given = index(indices[0]);
         return given > 0 ? given - 1 : static_cast<std::int64_t>(vertices_.size()) + given;
     }
@@ -188,9 +187,9 @@ class ObjReader {
         if (count(&Owners::group) > 1 || materials < 2) return;
         faces_ = "material";
         builder_.remark(
-            fmt::format("its faces are its {} materials, since all polygons are of one group (with --faces "
-                        "group they are one face)",
-                        materials));
+            "its faces are its {} materials, since all polygons are of one group (with --faces group they are one "
+            "face)",
+            materials);
     }
 
     [[nodiscard]] std::string label_of(const Polygon& polygon) {
@@ -213,8 +212,8 @@ class ObjReader {
         std::vector<Eigen::Vector3d> corners;
         for (const std::int64_t vertex : polygon.corners) {
             if (vertex < 0 || vertex >= static_cast<std::int64_t>(vertices_.size()))
-                builder_.fail(polygon.line, fmt::format("corner {} is vertex {} (the file has {}). Correct the index.",
-                                                        corners.size() + 1, polygon.written(vertex), vertices_.size()));
+                builder_.fail(polygon.line, "corner {} is vertex {} (the file has {}). Correct the index.",
+                              corners.size() + 1, polygon.written(vertex), vertices_.size());
             corners.push_back(upright(vertices_[static_cast<std::size_t>(vertex)]));
         }
         if (!builder_.has_area(corners, polygon.line)) return;

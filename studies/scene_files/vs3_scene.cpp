@@ -52,17 +52,17 @@ class Vs3Reader {
                 return;
             default:
                 builder_.fail(line,
-                              fmt::format("no line of a View3D file begins with '{}'. Begin it with T, C, F, V, S, "
-                                          "O, M, N or E, or with ! for a comment.",
-                                          excerpt(words[0])));
+                              "no line of a View3D file begins with '{}'. Begin it with T, C, F, V, S, O, M, N or E, "
+                              "or with ! for a comment.",
+                              excerpt(words[0]));
         }
     }
 
     SceneWithMaterials finish() {
         if (pending_)
             builder_.fail(surfaces_.back().line,
-                          fmt::format("numbers are missing: it has {} of {}. Write the rest on the next line.",
-                                      pending_->numbers.size(), pending_->wanted()));
+                          "numbers are missing: it has {} of {}. Write the rest on the next line.",
+                          pending_->numbers.size(), pending_->wanted());
         std::vector<Vs3Surface*> sound;
         for (Vs3Surface& surface : surfaces_) {
             if (builder_.has_area(surface.corners, surface.line)) sound.push_back(&surface);
@@ -73,9 +73,9 @@ class Vs3Reader {
         }
         for (const Vs3Surface* const surface : sound) add(*surface);
         if (moved_ > 0)
-            builder_.remark(fmt::format("{} put into the plane and the outline of {} (off by at most {:.2g})",
-                                        moved_ == 1 ? "a surface is" : fmt::format("{} surfaces are", moved_),
-                                        moved_ == 1 ? "its base" : "their bases", most_moved_));
+            builder_.remark("{} put into the plane and the outline of {} (off by at most {:.2g})",
+                            moved_ == 1 ? "a surface is" : fmt::format("{} surfaces are", moved_),
+                            moved_ == 1 ? "its base" : "their bases", most_moved_);
         if (closed_ && !masks_.empty())
             builder_.remark(
                 "it has masks, whose backs receive what is counted for no face, so that it is taken as open");
@@ -108,8 +108,8 @@ class Vs3Reader {
     [[nodiscard]] long number(std::uint64_t line, const LineWords& words, std::size_t at) const {
         const auto value = at < words.size() ? parse_number<long>(words[at]) : std::nullopt;
         if (!value)
-            builder_.fail(line, fmt::format("field {} is {}{}. Write a whole number there.", at + 1, word_at(words, at),
-                                            at < words.size() ? ", not a whole number" : ""));
+            builder_.fail(line, "field {} is {}{}. Write a whole number there.", at + 1, word_at(words, at),
+                          at < words.size() ? ", not a whole number" : "");
         return *value;
     }
 
@@ -129,9 +129,8 @@ class Vs3Reader {
         }
         const long index = number(line, words, 1);
         if (!vertices_.emplace(index, place).second)
-            builder_.fail(
-                line, fmt::format("vertex {} is defined twice (surfaces could mean either). Give one another number.",
-                                  index));
+            builder_.fail(line, "vertex {} is defined twice (surfaces could mean either). Give one another number.",
+                          index);
     }
 
     /// Fields 2 to 5 after the surface's number; a triangle has a 0 in the last.
@@ -142,8 +141,7 @@ class Vs3Reader {
             if (i == 5 && index == 0) break;
             const auto found = vertices_.find(index);
             if (found == vertices_.end()) {
-                builder_.fail(line,
-                              fmt::format("vertex {} is not defined (vertices come first). Correct the index.", index));
+                builder_.fail(line, "vertex {} is not defined (vertices come first). Correct the index.", index);
             }
             all.push_back(found->second);
         }
@@ -160,9 +158,10 @@ class Vs3Reader {
             next = 3;
             const char shape = words.size() > 2 ? upper(words[2].front()) : ' ';
             if (shape != 'R' && shape != 'T' && shape != 'Q')
-                builder_.fail(line, fmt::format("field 3 is {} (expected a shape). Write R for a rectangle, T for a "
-                                                "triangle or Q for a quadrilateral.",
-                                                word_at(words, 2)));
+                builder_.fail(line,
+                              "field 3 is {} (expected a shape). Write R for a rectangle, T for a triangle or Q for a "
+                              "quadrilateral.",
+                              word_at(words, 2));
             pending_ = Vs3Shape{shape, {}};
         } else {
             surface.corners = corners(line, words);
@@ -177,9 +176,8 @@ class Vs3Reader {
         }
         if (surface.name.empty()) surface.name = std::to_string(surface.number);
         if (!by_number_.emplace(surface.number, surfaces_.size()).second)
-            builder_.fail(
-                line, fmt::format("surface {} is defined twice (others could mean either). Give one another number.",
-                                  surface.number));
+            builder_.fail(line, "surface {} is defined twice (others could mean either). Give one another number.",
+                          surface.number);
         if (surface.base != 0) parts_[surface.base].push_back(surfaces_.size());
         surfaces_.push_back(std::move(surface));
     }
@@ -188,10 +186,9 @@ class Vs3Reader {
         for (std::size_t k = 0; k < words.size() && pending_->numbers.size() < pending_->wanted(); ++k) {
             const auto value = finite_number(words[k]);
             if (!value)
-                builder_.fail(line, fmt::format("field {} is {} (expected number {} of {} of surface {}). Write it "
-                                                "there.",
-                                                k + 1, word_at(words, k), pending_->numbers.size() + 1,
-                                                pending_->wanted(), surfaces_.back().number));
+                builder_.fail(line, "field {} is {} (expected number {} of {} of surface {}). Write it there.", k + 1,
+                              word_at(words, k), pending_->numbers.size() + 1, pending_->wanted(),
+                              surfaces_.back().number);
             pending_->numbers.push_back(*value);
         }
         if (pending_->numbers.size() < pending_->wanted()) return;
@@ -210,11 +207,9 @@ class Vs3Reader {
             const auto value = k + 1 < parts.size() ? finite_number(parts[k + 1]) : std::nullopt;
             const std::string small = in_small_letters(word);
             if (std::find(known.begin(), known.end(), small) == known.end()) {
-                builder_.remark(
-                    fmt::format("control word '{}' (line {}) is unknown and is passed over", excerpt(word), line));
+                builder_.remark("control word '{}' (line {}) is unknown and is passed over", excerpt(word), line);
             } else if (!value) {
-                builder_.fail(
-                    line, fmt::format("control word '{}' has no number. Write {}=1.", excerpt(word), excerpt(word)));
+                builder_.fail(line, "control word '{}' has no number. Write {}=1.", excerpt(word), excerpt(word));
             } else if (small == "encl") {
                 closed_ = *value != 0;
             }
@@ -225,10 +220,8 @@ class Vs3Reader {
     [[nodiscard]] const Vs3Surface& earlier(const Vs3Surface& surface, long number, std::string_view what) const {
         const auto found = by_number_.find(number);
         if (found == by_number_.end() || found->second >= by_number_.at(surface.number))
-            builder_.fail(surface.line,
-                          fmt::format("surface {} {} surface {}, which does not come before it. Move it, or "
-                                      "write 0.",
-                                      surface.number, what, number));
+            builder_.fail(surface.line, "surface {} {} surface {}, which does not come before it. Move it, or write 0.",
+                          surface.number, what, number);
         return surfaces_[found->second];
     }
 
@@ -236,8 +229,8 @@ class Vs3Reader {
         const Vs3Surface& base = earlier(part, part.base, "lies on");
         const FitOnBase found = fit_on_base(part, base, most_off_base * size_of(base.corners));
         if (!found.problem.empty())
-            builder_.fail(part.line, fmt::format("surface {} {} surface {}, its base{}. Correct it, or write 0.",
-                                                 part.number, found.problem, base.number, found.reason));
+            builder_.fail(part.line, "surface {} {} surface {}, its base{}. Correct it, or write 0.", part.number,
+                          found.problem, base.number, found.reason);
         if (found.off > 0) ++moved_;
         most_moved_ = std::max(most_moved_, found.off);
     }
@@ -246,17 +239,17 @@ class Vs3Reader {
         const Vs3Surface& base = earlier(part, part.base, "lies on");
         for (const std::size_t other : parts_.at(base.number)) {
             if (surfaces_[other].number != part.number && part.kind != 'S' && overlap(base, part, surfaces_[other]))
-                builder_.fail(part.line, fmt::format("surface {} overlaps surface {}, both on surface {}. Divide them.",
-                                                     part.number, surfaces_[other].number, base.number));
+                builder_.fail(part.line, "surface {} overlaps surface {}, both on surface {}. Divide them.",
+                              part.number, surfaces_[other].number, base.number);
         }
     }
 
     /// A surface without what lies on it.
     [[nodiscard]] std::vector<ConvexPolygon> left_of(const Vs3Surface& surface) const {
-        const auto found = parts_.find(surface.number);
-        if (found == parts_.end()) return {surface.corners};
         std::vector<const Vs3Surface*> parts;
-        for (const std::size_t part : found->second) parts.push_back(&surfaces_[part]);
+        if (const auto found = parts_.find(surface.number); found != parts_.end()) {
+            for (const std::size_t part : found->second) parts.push_back(&surfaces_[part]);
+        }
         return left_of_base(surface, parts);
     }
 
@@ -266,17 +259,15 @@ class Vs3Reader {
         if (surface.kind != 'S') return add_part(surface);
         const std::vector<ConvexPolygon> pieces = left_of(surface);
         if (pieces.empty())
-            return builder_.remark(fmt::format("what lies on '{}' leaves nothing of it; it is no face", surface.name));
+            return builder_.remark("what lies on '{}' leaves nothing of it; it is no face", surface.name);
         int face = no_face;
         if (surface.combined == 0) {
             face = builder_.new_face(surface.name, surface.line);
         } else {
             const auto found = faces_.find(earlier(surface, surface.combined, "is to be combined with").number);
             if (found == faces_.end())
-                builder_.fail(surface.line,
-                              fmt::format("surface {} is to be combined with surface {}, which is no face. "
-                                          "Write 0.",
-                                          surface.number, surface.combined));
+                builder_.fail(surface.line, "surface {} is to be combined with surface {}, which is no face. Write 0.",
+                              surface.number, surface.combined);
             face = found->second;
         }
         faces_.emplace(surface.number, face);
@@ -287,15 +278,16 @@ class Vs3Reader {
     /// A surface that faces its base, and takes a part of it out of sight.
     void add_part(const Vs3Surface& part) {
         if (part.base == 0)
-            builder_.fail(part.line, fmt::format("surface {} has no base (it lies on another surface and faces it). "
-                                                 "Write the number of that surface.",
-                                                 part.number));
+            builder_.fail(
+                part.line,
+                "surface {} has no base (it lies on another surface and faces it). Write the number of that surface.",
+                part.number);
         if (part.kind == 'N') return;
         const auto base = faces_.find(part.base);
         if (base == faces_.end())
-            builder_.fail(part.line, fmt::format("surface {} masks surface {}, which is no surface that radiates. "
-                                                 "Correct the base.",
-                                                 part.number, part.base));
+            builder_.fail(part.line,
+                          "surface {} masks surface {}, which is no surface that radiates. Correct the base.",
+                          part.number, part.base);
         masks_.push_back(
             {builder_.reserve_name(part.name), builder_.name_of(base->second), polygon_area(part.corners)});
     }

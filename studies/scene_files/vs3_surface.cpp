@@ -18,7 +18,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double unnoticed = 1e-6;  // of a part off the plane and the rim of its base, relative to what is around it
+/// How far a part may be off the plane and the rim of its base, relative to the length around the base or the part.
+constexpr double unnoticed = 1e-6;
 constexpr std::size_t numbers_of_plane = 5;
 
 bool is_convex(const ConvexPolygon& corners, const Vector3d& normal) {
@@ -157,6 +158,7 @@ bool overlap(const Vs3Surface& base, const Vs3Surface& a, const Vs3Surface& b) {
 }
 
 std::vector<ConvexPolygon> left_of_base(const Vs3Surface& base, const std::vector<const Vs3Surface*>& parts) {
+    if (parts.empty()) return {base.corners};
     constexpr double rounding = 1e-9;
     const Vector3d normal = base.normal();
     std::vector<ConvexPolygon> left = convex_pieces(base);

@@ -65,7 +65,8 @@ double size_of(const ConvexPolygon& corners);
 /// Whether two parts of a base overlap.
 bool overlap(const Vs3Surface& base, const Vs3Surface& a, const Vs3Surface& b);
 
-/// What remains of a surface beside the parts that lie on it, in convex pieces.
+/// What remains of a surface beside the parts that lie on it, in convex pieces; without parts the surface itself,
+/// convex or not.
 std::vector<ConvexPolygon> left_of_base(const Vs3Surface& base, const std::vector<const Vs3Surface*>& parts);
 
 }  // namespace ff::studies

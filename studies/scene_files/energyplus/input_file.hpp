@@ -1,10 +1,15 @@
 #pragma once
 
+#include "core/support/error.hpp"
+
+#include <fmt/format.h>
+
 #include <array>
 #include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ff::studies::energyplus {
@@ -43,8 +48,12 @@ struct Object {
     [[nodiscard]] std::uint64_t line_of(std::string_view field) const;
 };
 
-/// @throws UserError "file:line: problem"
-[[noreturn]] void fail_at(std::string_view file, std::uint64_t line, std::string_view problem);
+/// The problem may have values in it as for fmt::format. @throws UserError "file:line: problem"
+template <class... Values>
+[[noreturn]] void fail_at(std::string_view file, std::uint64_t line, fmt::format_string<Values...> problem,
+                          Values&&... values) {
+    throw UserError(fmt::format("{}:{}: {}", file, line, fmt::format(problem, std::forward<Values>(values)...)));
+}
 
 /// @param what  names the field in messages  @throws UserError where it is not a finite number
 double number_of_field(std::string_view file, const Field& field, std::string_view what);
@@ -52,9 +61,6 @@ double number_of_field(std::string_view file, const Field& field, std::string_vi
 /// The remark about an IDF file without a version.
 inline constexpr std::string_view without_version =
     "no Version object: fields are taken as those of version 9.6 and later";
-
-/// The class of that name, in upper or lower case; null for one that does not matter here.
-const Class* class_named(std::string_view name);
 
 /// The bytes of an IDF file with ? for those of comments that are not ASCII: older files have degree signs in other
 /// encodings than UTF-8.

@@ -2,7 +2,6 @@
 
 #include "core/geometry/box.hpp"
 #include "studies/form_factors/form_factors.hpp"
-#include "studies/scene_files/orientation.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
 #include <fmt/format.h>
