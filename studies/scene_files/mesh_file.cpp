@@ -1,10 +1,12 @@
 #include "core/geometry/convex_polygon.hpp"
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
+#include "studies/readers/json_reader.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
 #include "studies/scene_files/meshes/formats.hpp"
+#include "studies/scene_files/meshes/mesh_input.hpp"
 
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -14,6 +16,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -79,8 +82,7 @@ class ObjWriter {
 
     /// Writes corners and the polygon; nothing where it has no area, since nothing leaves it or arrives there.
     std::string polygon(const std::vector<Vector3d>& corners) {
-        double size = 0;
-        for (const Vector3d& corner : corners) size = std::max(size, (corner - corners[0]).norm());
+        const double size = size_from_first(corners);
         if (!(twice_area(corners).norm() > 2 * least_share_of_area * size * size)) return {};
         std::string text;
         std::string polygon = "f";
@@ -92,15 +94,118 @@ class ObjWriter {
     }
 };
 
+// The format: https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html
+
+/// Extensions whose names begin with these texts do not affect shapes and places.
+constexpr std::array<std::string_view, 8> extensions_of_looks{"KHR_materials_", "KHR_texture_",    "KHR_lights_",
+                                                              "KHR_xmp",        "EXT_texture_",    "EXT_lights_",
+                                                              "MSFT_texture_",  "ADOBE_materials_"};
+/// These extensions do affect them, even where a file says that it can be read without them.
+constexpr std::array<std::string_view, 5> extensions_of_shapes{"EXT_mesh_gpu_instancing", "KHR_draco_mesh_compression",
+                                                               "EXT_meshopt_compression", "KHR_meshopt_compression",
+                                                               "KHR_node_visibility"};
+constexpr double single_precision_code = 5126;
+
+std::string_view json_of(std::string_view file, std::string_view bytes) {
+    if (!bytes.starts_with("glTF")) return bytes;
+    constexpr meshes::NumberType size_type{meshes::NumberType::Kind::natural, 4};
+    meshes::MeshInput in(file, bytes);
+    in.set_encoding(meshes::Encoding::little_endian);
+    in.skip_bytes(2 * size_type.bytes);  // the mark and the version
+    const std::int64_t whole = in.whole(size_type);
+    if (std::cmp_greater(whole, bytes.size()))
+        in.fail("{} bytes are announced, and the file has {} (it was cut off). Write it again.", whole, bytes.size());
+    const std::int64_t json = in.whole(size_type);
+    in.skip_bytes(size_type.bytes);  // the kind of what follows: in both versions JSON comes first
+    return in.take_bytes(static_cast<std::size_t>(json));
+}
+
+class GltfCheck {
+  public:
+    GltfCheck(std::string_view file, std::string_view json) : reader_(file), root_(parse_json(json, file)) {}
+
+    void run() const {
+        for (const JsonValue& name : items(root_, "extensionsRequired")) {
+            if (std::none_of(extensions_of_looks.begin(), extensions_of_looks.end(),
+                             [&](std::string_view start) { return name.text.starts_with(start); }))
+                refuse_extension(name, name.text);
+        }
+        expect_no_extension_of_shapes(root_);
+        for (const JsonValue& mesh : items(root_, "meshes")) {
+            expect_no_morphing(mesh);
+            for (const JsonValue& primitive : items(mesh, "primitives")) expect_real_places(primitive);
+        }
+        for (const JsonValue& node : items(root_, "nodes")) {
+            expect_no_morphing(node);
+            // Version 5.2 of the library ends the program over a skin whose matrices are left to their defaults.
+            if (const JsonValue* const skin = node.find("skin"))
+                reader_.fail(
+                    *skin,
+                    "a node has a skin (only shapes at rest are read). Write the mesh as it is to be, without a skin.");
+        }
+    }
+
+  private:
+    JsonReader reader_;
+    JsonValue root_;
+
+    /// The items of a member; none where there is no such member.
+    static const std::vector<JsonValue>& items(const JsonValue& value, std::string_view key) {
+        static const std::vector<JsonValue> none;
+        const JsonValue* const member = value.find(key);
+        return member == nullptr ? none : member->items;
+    }
+
+    [[noreturn]] void refuse_extension(const JsonValue& at, std::string_view name) const {
+        reader_.fail(
+            at,
+            fmt::format(
+                "the extension {} is needed and not read (it may change shapes or places). Write the file without it.",
+                excerpt(name)));
+    }
+
+    void expect_no_extension_of_shapes(const JsonValue& value) const {
+        for (std::size_t i = 0; i < value.items.size(); ++i) {
+            const std::string_view key = i < value.keys.size() ? std::string_view(value.keys[i]) : "";
+            if (key == "extras") continue;  // data of other programs
+            const JsonValue& item = value.items[i];
+            for (const std::string_view extension : extensions_of_shapes) {
+                const JsonValue* const used = key == "extensions" ? item.find(extension) : nullptr;
+                if (used != nullptr) refuse_extension(*used, extension);
+            }
+            expect_no_extension_of_shapes(item);
+        }
+    }
+
+    void expect_no_morphing(const JsonValue& value) const {
+        for (const JsonValue& weight : items(value, "weights")) {
+            if (weight.number != 0)
+                reader_.fail(weight, fmt::format("a morph target has weight {} (only shapes at rest are read). Write "
+                                                 "the mesh as it is to be, without targets.",
+                                                 weight.number));
+        }
+    }
+
+    /// Whole numbers are coordinates only by an extension.
+    void expect_real_places(const JsonValue& primitive) const {
+        const JsonValue* const attributes = primitive.find("attributes");
+        const JsonValue* const position = attributes == nullptr ? nullptr : attributes->find("POSITION");
+        const std::vector<JsonValue>& accessors = items(root_, "accessors");
+        if (position == nullptr || !(position->number >= 0 && position->number < static_cast<double>(accessors.size())))
+            return;  // the library says what is wrong
+        const JsonValue* const type = accessors[static_cast<std::size_t>(position->number)].find("componentType");
+        if (type != nullptr && type->number != single_precision_code) refuse_extension(*type, "KHR_mesh_quantization");
+    }
+};
+
 [[noreturn]] void refuse_name(const std::string& file, const meshes::MeshKind& kind) {
     throw UserError(
-        fmt::format("{}: {} by its content (its name says that it is something else). Rename it to end in "
-                    "{}.",
-                    file, kind.name, kind.extension));
+        fmt::format("{}: {} by its content (its name says that it is something else). Rename it to end in {}.", file,
+                    kind.name, kind.extension));
 }
 
 std::string gltf_as_obj(const std::string& file, std::string_view bytes) {
-    meshes::expect_plain_gltf(file, bytes);
+    expect_plain_gltf(file, bytes);
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* scene = importer.ReadFile(file, aiProcess_SortByPType | aiProcess_ValidateDataStructure);
@@ -109,14 +214,16 @@ std::string gltf_as_obj(const std::string& file, std::string_view bytes) {
                                     excerpt(importer.GetErrorString())));
     ObjWriter writer(*scene);
     if (writer.is_empty())
-        throw UserError(
-            fmt::format("{}: no polygon with an area (nothing would be computed). Write the mesh with its "
-                        "polygons.",
-                        file));
+        throw UserError(fmt::format(
+            "{}: no polygon with an area (nothing would be computed). Write the mesh with its polygons.", file));
     return std::move(writer).text();
 }
 
 }  // namespace
+
+void expect_plain_gltf(std::string_view file, std::string_view bytes) {
+    GltfCheck(file, json_of(file, bytes)).run();
+}
 
 void expect_no_mesh(const std::filesystem::path& file, std::string_view bytes) {
     if (!std::filesystem::is_regular_file(file)) return;
@@ -128,21 +235,19 @@ std::string mesh_as_obj(const std::filesystem::path& file) {
     const std::string bytes = read_bytes(file);
     if (bytes.empty())
         throw IoError(fmt::format("{}: cannot be read (empty). Check the name and the permissions.", name));
-    const auto* kind = meshes::mesh_kind(bytes);
+    const auto* const kind = meshes::mesh_kind(bytes);
     if (kind == nullptr && has_extension(name, ".msh"))
-        throw UserError(
-            fmt::format("{}: no mesh of gmsh from version 2 on (it would begin with $MeshFormat). Save it "
-                        "as version 2 or 4.",
-                        name));
+        throw UserError(fmt::format(
+            "{}: no mesh of gmsh from version 2 on (it would begin with $MeshFormat). Save it as version 2 or 4.",
+            name));
     if (kind == nullptr && (has_extension(name, ".vtk") || has_extension(name, ".vtu") || has_extension(name, ".vtp")))
-        throw UserError(
-            fmt::format("{}: no file of VTK (it would begin with '# vtk DataFile', or as XML with VTKFile). "
-                        "Write it again.",
-                        name));
+        throw UserError(fmt::format(
+            "{}: no file of VTK (it would begin with '# vtk DataFile', or as XML with VTKFile). Write it again.",
+            name));
     // Files of these formats need not have a mark; the readers of the others say what is wrong with them.
-    for (const std::string_view extension : {".stl", ".ply", ".off"}) {
-        if (kind == nullptr && has_extension(name, extension)) kind = meshes::mesh_kind_named(extension);
-    }
+    if (kind == nullptr && has_extension(name, ".stl")) return meshes::read_stl(name, bytes).as_obj();
+    if (kind == nullptr && has_extension(name, ".ply")) return meshes::read_ply(name, bytes).as_obj();
+    if (kind == nullptr && has_extension(name, ".off")) return meshes::read_off(name, bytes).as_obj();
     if (kind != nullptr && kind->read != nullptr) return kind->read(name, bytes).as_obj();
     if (kind != nullptr && !has_extension(name, kind->extension)) refuse_name(name, *kind);
     return gltf_as_obj(name, bytes);

@@ -1,7 +1,12 @@
 #include "studies/scene_files/meshes/formats.hpp"
 
+#include "core/support/error.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 namespace ff::studies::meshes {
 namespace {
@@ -12,32 +17,76 @@ bool begins_with_word(std::string_view bytes, std::string_view word) {
            blanks.find(bytes[word.size()]) != std::string_view::npos;
 }
 
-using Recognises = bool (*)(std::string_view bytes);
-
-constexpr std::array<std::pair<Recognises, MeshKind>, 7> kinds{{
-    {[](std::string_view bytes) { return bytes.starts_with("# vtk DataFile"); },
-     {"a VTK file", ".vtk", read_vtk_legacy}},
-    {is_vtk_xml, {"a VTK file in XML", ".vtu", read_vtk_xml}},
-    {[](std::string_view bytes) { return bytes.starts_with("$MeshFormat"); }, {"a mesh of gmsh", ".msh", read_gmsh}},
-    {[](std::string_view bytes) { return bytes.starts_with("glTF"); }, {"a binary glTF file", ".glb"}},
-    {[](std::string_view bytes) { return begins_with_word(bytes, "ply"); }, {"a PLY file", ".ply", read_ply}},
-    {is_off, {"an OFF file", ".off", read_off}},
-    {is_stl, {"an STL file", ".stl", read_stl}},
-}};
+constexpr std::array kinds{
+    MeshKind{"a VTK file", ".vtk", [](std::string_view bytes) { return bytes.starts_with("# vtk DataFile"); },
+             read_vtk_legacy},
+    MeshKind{"a VTK file in XML", ".vtu", is_vtk_xml, read_vtk_xml},
+    MeshKind{"a mesh of gmsh", ".msh", [](std::string_view bytes) { return bytes.starts_with("$MeshFormat"); },
+             read_gmsh},
+    MeshKind{"a binary glTF file", ".glb", [](std::string_view bytes) { return bytes.starts_with("glTF"); }},
+    MeshKind{"a PLY file", ".ply", [](std::string_view bytes) { return begins_with_word(bytes, "ply"); }, read_ply},
+    MeshKind{"an OFF file", ".off", is_off, read_off},
+    MeshKind{"an STL file", ".stl", is_stl, read_stl},
+};
 
 }  // namespace
 
-const MeshKind* mesh_kind(std::string_view bytes) {
-    const auto* const found =
-        std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return kind.first(bytes); });
-    return found == kinds.end() ? nullptr : &found->second;
+std::string as_word(std::string_view name) {
+    std::string word(name);
+    for (char& c : word) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isspace(byte) != 0 || std::iscntrl(byte) != 0 || c == '|') c = '_';
+    }
+    // OBJ files have comments after #, and lines that continue after a backslash.
+    if (word.starts_with('#')) word.front() = '_';
+    if (word.ends_with('\\')) word.back() = '_';
+    return word;
 }
 
-const MeshKind* mesh_kind_named(std::string_view extension) {
-    const auto* const found = std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) {
-        return kind.second.extension == extension && kind.second.read != nullptr;
-    });
-    return found == kinds.end() ? nullptr : &found->second;
+void SurfaceMesh::add_polygon(std::string_view group, std::span<const std::int64_t> corners, std::string_view cell) {
+    const auto fail = [&](std::string_view problem) {
+        throw UserError(fmt::format("{}: {} {}", file_, cell, problem));
+    };
+    if (corners.size() < 3)
+        fail(fmt::format("is a polygon of {} points (three are the least). Remove it.", corners.size()));
+    std::string polygon = "f";
+    for (const std::int64_t corner : corners) {
+        if (corner < 0 || static_cast<std::size_t>(corner) >= points_.size())
+            fail(fmt::format("has point {}, of {} that count from 0. Correct the index.", corner, points_.size()));
+        const Eigen::Vector3d& point = points_[static_cast<std::size_t>(corner)];
+        if (!point.allFinite())
+            fail(fmt::format("has a point at ({}, {}, {}), which is no place. Correct it.", point.x(), point.y(),
+                             point.z()));
+        const auto [vertex, is_new] = vertices_.try_emplace(static_cast<std::size_t>(corner), vertices_.size() + 1);
+        if (is_new) text_ += fmt::format("v {} {} {}\n", point.x(), point.y(), point.z());
+        polygon += fmt::format(" {}", vertex->second);
+    }
+    if (group != group_) text_ += fmt::format("g {}\n", group_ = group);
+    text_ += polygon + '\n';
+}
+
+void SurfaceMesh::remark(std::string_view text) {
+    notes_ += fmt::format("# {}{}\n", note_on_mesh, text);
+}
+
+std::string SurfaceMesh::as_obj() const {
+    if (volume_cells_ == 0 && text_.empty())
+        throw UserError(
+            fmt::format("{}: no polygon (nothing would be computed). Write the mesh with its polygons.", file_));
+    if (text_.empty())
+        throw UserError(
+            fmt::format("{}: volume cells alone, {} of them (only surfaces exchange radiation). Extract the surface, "
+                        "as ParaView's filter Extract Surface does, or save the polygons of the boundary too.",
+                        file_, volume_cells_));
+    if (volume_cells_ == 0) return notes_ + text_;
+    return fmt::format("# {}{} volume cell{} left out (surfaces alone exchange radiation)\n{}{}", note_on_mesh,
+                       volume_cells_, volume_cells_ == 1 ? " is" : "s are", notes_, text_);
+}
+
+const MeshKind* mesh_kind(std::string_view bytes) {
+    const auto* const found =
+        std::find_if(kinds.begin(), kinds.end(), [&](const MeshKind& kind) { return kind.is_that_of(bytes); });
+    return found == kinds.end() ? nullptr : found;
 }
 
 }  // namespace ff::studies::meshes

@@ -1,24 +1,68 @@
 #pragma once
 
-#include "studies/scene_files/meshes/surface_mesh.hpp"
+#include <Eigen/Core>
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
 #include <string_view>
+#include <unordered_map>
+#include <vector>
 
 namespace ff::studies::meshes {
+
+/// The beginning of a comment in OBJ files that holds a note on a converted mesh.
+inline constexpr std::string_view note_on_mesh = "note on the mesh: ";
+
+/// The faces of a mesh without groups.
+inline constexpr std::string_view unnamed_group = "mesh";
+
+/// A name as a word of an OBJ file: blanks, control characters, | and characters with a meaning in OBJ files become _.
+std::string as_word(std::string_view name);
+
+/// The polygons of a mesh file, in groups.
+class SurfaceMesh {
+  public:
+    /// @param file  names it in messages
+    explicit SurfaceMesh(std::string_view file) : file_(file) {}
+
+    /// Points get numbers from 0 in the order in which they are added.
+    void add_point(const Eigen::Vector3d& point) { points_.push_back(point); }
+    [[nodiscard]] std::size_t point_count() const { return points_.size(); }
+
+    /// Adds a polygon. @param cell  names it in messages: "cell 3"
+    /// @throws UserError where it has fewer than three corners, or one that is not a point or is not finite
+    void add_polygon(std::string_view group, std::span<const std::int64_t> corners, std::string_view cell);
+
+    void leave_out_volume_cell() { ++volume_cells_; }
+    /// Adds a note on the mesh.
+    void remark(std::string_view text);
+
+    /// The text of an OBJ file; what no polygon uses is left out. @throws UserError where there is no polygon
+    [[nodiscard]] std::string as_obj() const;
+
+  private:
+    std::string file_;
+    std::vector<Eigen::Vector3d> points_;
+    std::unordered_map<std::size_t, std::size_t> vertices_;  ///< number in the text, from 1, by that of the point
+    std::string notes_;                                      ///< notes, as comments of an OBJ file
+    std::string text_;
+    std::string group_;
+    std::uint64_t volume_cells_ = 0;
+};
 
 /// The kind of a mesh file, by its content.
 struct MeshKind {
     std::string_view name;       ///< "a PLY file"
     std::string_view extension;  ///< extension that its name should have
+    bool (*is_that_of)(std::string_view bytes);
     /// Reads all bytes of the file with that name; null where another library reads it. @throws UserError
     SurfaceMesh (*read)(std::string_view file, std::string_view bytes) = nullptr;
 };
 
 /// Null where the content of a file does not tell.
 const MeshKind* mesh_kind(std::string_view bytes);
-
-/// The kind that a file with that extension should have; null where none of the project's own readers has it.
-const MeshKind* mesh_kind_named(std::string_view extension);
 
 // Each function reads the bytes of a file, whose name is for messages.
 // @throws UserError "file: place: problem (why). Suggestion."
@@ -45,10 +89,5 @@ SurfaceMesh read_ply(std::string_view file, std::string_view bytes);
 /// OFF in text, with places of three coordinates.
 bool is_off(std::string_view bytes);
 SurfaceMesh read_off(std::string_view file, std::string_view bytes);
-
-/// Looks for features that move, pack or repeat polygons and that the library which reads glTF would silently ignore:
-/// extensions, coordinates of whole numbers, and shapes that morph or have a skin.
-/// @param bytes  of a .gltf or .glb file  @throws UserError "file: place: problem (why). Suggestion."
-void expect_plain_gltf(std::string_view file, std::string_view bytes);
 
 }  // namespace ff::studies::meshes

@@ -90,9 +90,9 @@ class GmshReader {
         const std::string end = end_of(name);
         if (in_.next_word() != end)
             in_.fail(
-                fmt::format("'{}' stands where {} is expected (the file was cut off, or a number of things is "
-                            "wrong). Write it again.",
-                            excerpt(in_.next_word()), end));
+                "'{}' stands where {} is expected (the file was cut off, or a number of things is wrong). Write it "
+                "again.",
+                excerpt(in_.next_word()), end);
         static_cast<void>(in_.word());
     }
 
@@ -102,12 +102,11 @@ class GmshReader {
         const std::string version(in_.word());
         const bool is_two = version == "2" || version.starts_with("2.");
         if (!is_two && version != "4" && version != "4.0" && version != "4.1")
-            in_.fail(fmt::format("version '{}' (2, 4.0 and 4.1 are read). Save it as one of these.", excerpt(version)));
+            in_.fail("version '{}' (2, 4.0 and 4.1 are read). Save it as one of these.", excerpt(version));
         if (!is_two) version_ = version == "4.1" ? Version::four_1 : Version::four_0;
         const std::uint64_t binary = in_.count();
         const std::uint64_t bytes = in_.count();
-        if (bytes != 8 && (is_two || bytes != 4))
-            in_.fail(fmt::format("numbers of {} bytes (8 are read). Write it again.", bytes));
+        if (bytes != 8 && (is_two || bytes != 4)) in_.fail("numbers of {} bytes (8 are read). Write it again.", bytes);
         size_type_.bytes = bytes;
         in_.line();
         if (binary == 0) return;
@@ -115,8 +114,7 @@ class GmshReader {
         const std::int64_t one = in_.whole(int32_type);
         constexpr std::int64_t turned_one = 1 << 24;
         if (one == turned_one) in_.set_encoding(Encoding::big_endian);
-        if (one != 1 && one != turned_one)
-            in_.fail(fmt::format("the order of bytes is told by 1, and here by {}.", one));
+        if (one != 1 && one != turned_one) in_.fail("the order of bytes is told by 1, and here by {}.", one);
     }
 
     void read_names() {
@@ -129,8 +127,7 @@ class GmshReader {
             const std::size_t end = line.rfind('"');
             const auto tag = words.size() < 3 ? std::nullopt : parse_number<std::int64_t>(words[1]);
             if (!tag || begin == end)
-                in_.fail(
-                    fmt::format("'{}' is no dimension, tag and name in quotes. Write 2 1 \"wall\".", excerpt(line)));
+                in_.fail("'{}' is no dimension, tag and name in quotes. Write 2 1 \"wall\".", excerpt(line));
             if (words[0] == "2") surfaces_.set_name(*tag, as_word(line.substr(begin + 1, end - begin - 1)));
         }
     }
@@ -194,7 +191,7 @@ class GmshReader {
         const std::int64_t second = integer();
         if (version_ == Version::four_0) dimension = second;  // the tag of the entity comes first there
         const std::int64_t parametric = integer();
-        if (dimension < 0 || dimension > 3) in_.fail(fmt::format("an entity of dimension {}. Correct it.", dimension));
+        if (dimension < 0 || dimension > 3) in_.fail("an entity of dimension {}. Correct it.", dimension);
         const std::uint64_t parameters = parametric != 0 ? static_cast<std::uint64_t>(dimension) : 0;
         const std::uint64_t count = size();
         std::vector<std::int64_t> tags;
@@ -246,8 +243,8 @@ class GmshReader {
             const std::int64_t run = integer();
             const std::int64_t tags = integer();
             if (run < 1 || static_cast<std::uint64_t>(run) > left || tags < 0)
-                in_.fail(fmt::format("a run of {} elements with {} tags each, where {} elements are left. Correct it.",
-                                     run, tags, left));
+                in_.fail("a run of {} elements with {} tags each, where {} elements are left. Correct it.", run, tags,
+                         left);
             for (std::int64_t i = 0; i < run; ++i) {
                 const std::int64_t number = integer();
                 read_element(number, element, static_cast<std::uint64_t>(tags));
@@ -266,8 +263,7 @@ class GmshReader {
     [[nodiscard]] GmshElement element_of(std::int64_t type) const {
         const auto* const found =
             std::find_if(gmsh_types.begin(), gmsh_types.end(), [&](const auto& entry) { return entry.first == type; });
-        if (found == gmsh_types.end())
-            in_.fail(fmt::format("elements of type {} are not known. Write triangles.", type));
+        if (found == gmsh_types.end()) in_.fail("elements of type {} are not known. Write triangles.", type);
         return found->second;
     }
 
@@ -279,7 +275,7 @@ class GmshReader {
         for (std::int64_t& node : nodes) {
             const auto point = points_.find(node);
             if (point == points_.end())
-                in_.fail(fmt::format("element {} has node {}, which is not in $Nodes. Correct it.", number, node));
+                in_.fail("element {} has node {}, which is not in $Nodes. Correct it.", number, node);
             node = point->second;
         }
         surfaces_.add(number, physical, surface, nodes);

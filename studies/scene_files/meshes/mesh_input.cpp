@@ -119,7 +119,7 @@ Number MeshInput::number_in_text(std::string_view problem) {
     skip_blanks();
     const std::string_view text = next_word();
     const auto value = parse_number<Number>(text);
-    if (!value && !text.empty()) fail(fmt::format("'{}' {}", excerpt(text), problem));
+    if (!value && !text.empty()) fail("'{}' {}", excerpt(text), problem);
     static_cast<void>(word());
     return value.value_or(0);
 }
@@ -130,7 +130,7 @@ std::uint64_t MeshInput::count() {
 
 void MeshInput::skip_past(std::string_view text) {
     const std::size_t found = bytes_.find(text, at_);
-    if (found == std::string_view::npos) fail(fmt::format("no {} follows (it was cut off). Write it again.", text));
+    if (found == std::string_view::npos) fail("no {} follows (it was cut off). Write it again.", text);
     at_ = found + text.size();
 }
 
@@ -161,7 +161,7 @@ double MeshInput::real(NumberType type) {
 
 double MeshInput::coordinate(NumberType type) {
     const double value = real(type);
-    if (!std::isfinite(value)) fail(fmt::format("a coordinate is {}, which is no place. Correct it.", value));
+    if (!std::isfinite(value)) fail("a coordinate is {}, which is no place. Correct it.", value);
     return value;
 }
 
@@ -182,14 +182,14 @@ void MeshInput::expect_room(std::uint64_t tuples, std::uint64_t components, std:
     const std::uint64_t room = encoding_ == Encoding::text ? (left() + 1) / 2 : left() / bytes;
     if (components == 0 || tuples <= room / components) return;
     fail(
-        fmt::format("{} numbers are announced, and the {} bytes that follow have no room for them (it was cut off, "
-                    "or the number is wrong). Write it again.",
-                    components == 1 ? fmt::format("{}", tuples) : fmt::format("{} x {}", tuples, components), left()));
+        "{} numbers are announced, and the {} bytes that follow have no room for them (it was cut off, or the number "
+        "is wrong). Write it again.",
+        components == 1 ? fmt::format("{}", tuples) : fmt::format("{} x {}", tuples, components), left());
 }
 
 void MeshInput::expect_index(std::int64_t index, std::uint64_t points) const {
     if (index < 0 || std::cmp_greater_equal(index, points))
-        fail(fmt::format("a polygon has point {}, of {} that count from 0. Correct the index.", index, points));
+        fail("a polygon has point {}, of {} that count from 0. Correct the index.", index, points);
 }
 
 std::vector<double> MeshInput::reals(NumberType type, std::uint64_t tuples, std::uint64_t components) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fmt/format.h>
 #include <Eigen/Core>
 
 #include <array>
@@ -8,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ff::studies::meshes {
@@ -84,8 +86,12 @@ class MeshInput {
     void expect_index(std::int64_t index, std::uint64_t points) const;
 
     [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
-    /// @throws UserError "file:line: section: problem"
+    /// The problem may have values in it as for fmt::format. @throws UserError "file:line: section: problem"
     [[noreturn]] void fail(std::string_view problem) const;
+    template <class... Values>
+    [[noreturn]] void fail(fmt::format_string<Values...> problem, Values&&... values) const {
+        fail(fmt::format(problem, std::forward<Values>(values)...));
+    }
 
   private:
     std::string name_;

@@ -68,8 +68,7 @@ class OffReader {
     [[nodiscard]] MeshInput next_line() {
         if (!has_line())
             fail(fmt::format(
-                "it ends before {}, each on a line of its own (it was cut off, or a number is wrong). Write "
-                "it again.",
+                "it ends before {}, each on a line of its own (it was cut off, or a number is wrong). Write it again.",
                 missing_));
         return MeshInput::part(fmt::format("{}:{}", file_, number_), line_, Encoding::text);
     }
@@ -80,7 +79,7 @@ class OffReader {
         if (!is_off_keyword(line.next_word())) return line;
         const std::string_view keyword = line.word();
         if (keyword.find_first_of("4n") != std::string_view::npos)
-            line.fail(fmt::format("{} has places of more than three coordinates. Write it as OFF.", keyword));
+            line.fail("{} has places of more than three coordinates. Write it as OFF.", keyword);
         if (line.next_word() == "BINARY") line.fail("the binary form of OFF is not read. Write it as text.");
         return line.at_end() ? next_line() : line;
     }

@@ -66,19 +66,19 @@ class PlyReader {
     std::uint64_t vertices_ = 0;
     // Polygons wait here for points that may follow them.
     std::vector<std::int64_t> corners_;
-    std::vector<std::size_t> ends_;  ///< of each polygon in `corners_`
+    std::vector<std::size_t> ends_;  ///< where each polygon ends in `corners_`
 
     void read_header() {
         in_.set_section("header");
         if (const auto mark = in_.word(); mark != "ply")
-            in_.fail(fmt::format("'{}' stands where 'ply' is expected. Write it again.", excerpt(mark)));
+            in_.fail("'{}' stands where 'ply' is expected. Write it again.", excerpt(mark));
         const Encoding* encoding = nullptr;
         for (std::string_view keyword = in_.word(); keyword != "end_header"; keyword = in_.word()) {
             if (keyword == "format") {
                 const std::string_view name = in_.word();
                 const auto* const known = std::ranges::find(ply_encodings, name, &PlyEncoding::first);
                 if (known == ply_encodings.end())
-                    in_.fail(fmt::format("format '{}' is not known. Write it as ascii.", excerpt(name)));
+                    in_.fail("format '{}' is not known. Write it as ascii.", excerpt(name));
                 encoding = &known->second;
             } else if (keyword == "element") {
                 Element& element = elements_.emplace_back();
@@ -88,7 +88,7 @@ class PlyReader {
             } else if (keyword == "property" && !elements_.empty()) {
                 elements_.back().properties.push_back(announced_property());
             } else if (keyword != "comment" && keyword != "obj_info") {
-                in_.fail(fmt::format("'{}' is no line of a header. Write it again.", excerpt(keyword)));
+                in_.fail("'{}' is no line of a header. Write it again.", excerpt(keyword));
             }
             in_.line();
         }
@@ -111,7 +111,7 @@ class PlyReader {
 
     NumberType type(std::string_view name) const {
         const auto known = number_type_named(name, &NumberTypeNames::ply);
-        if (!known) in_.fail(fmt::format("numbers of type '{}' are not known. Write it again.", excerpt(name)));
+        if (!known) in_.fail("numbers of type '{}' are not known. Write it again.", excerpt(name));
         return *known;
     }
 
@@ -135,7 +135,7 @@ class PlyReader {
         const auto& all = element.properties;
         for (const char axis : std::string_view(element.name == "vertex" ? "xyz" : "")) {
             if (std::none_of(all.begin(), all.end(), [&](const auto& property) { return is_axis(property, axis); }))
-                in_.fail(fmt::format("no property {} is announced. Write vertices with x, y and z.", axis));
+                in_.fail("no property {} is announced. Write vertices with x, y and z.", axis);
         }
         if (element.has_polygons() &&
             std::none_of(all.begin(), all.end(), [](const auto& property) { return property.holds_corners(); }))
@@ -149,7 +149,7 @@ class PlyReader {
     void read_property(const Element& element, const Property& property, Eigen::Vector3d& point) {
         if (property.count_type) {
             const std::int64_t count = in_.whole(*property.count_type);
-            if (count < 0) in_.fail(fmt::format("a list has {} numbers. Correct it.", count));
+            if (count < 0) in_.fail("a list has {} numbers. Correct it.", count);
             const auto size = static_cast<std::uint64_t>(count);
             if (!element.has_polygons() || !property.holds_corners()) return in_.skip(property.type, size, 1);
             const auto corners = in_.wholes(property.type, size, 1);

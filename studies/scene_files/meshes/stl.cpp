@@ -46,8 +46,7 @@ class StlTextReader {
 
     void expect(std::string_view keyword) {
         if (!in_.at_end() && !follows(keyword))
-            in_.fail(
-                fmt::format("'{}' stands where '{}' is expected. Write it again.", excerpt(in_.next_word()), keyword));
+            in_.fail("'{}' stands where '{}' is expected. Write it again.", excerpt(in_.next_word()), keyword);
         static_cast<void>(in_.word());
     }
 
@@ -89,9 +88,9 @@ SurfaceMesh read_binary_stl(std::string_view file, std::string_view bytes) {
     const std::int64_t count = in.whole(stl_count);
     if (std::cmp_not_equal(in.left(), count * stl_record))
         in.fail(
-            fmt::format("{} triangles are announced, which take {} bytes, and {} follow (it was cut off, or the number "
-                        "is wrong; a text begins with 'solid' and has no zero bytes). Write it again.",
-                        count, count * stl_record, in.left()));
+            "{} triangles are announced, which take {} bytes, and {} follow (it was cut off, or the number is wrong; a "
+            "text begins with 'solid' and has no zero bytes). Write it again.",
+            count, count * stl_record, in.left());
     for (std::int64_t i = 0; i < count; ++i) {
         in.skip_bytes(stl_normal);
         for (int corner = 0; corner < 3; ++corner) mesh.add_point(in.place(stl_float));

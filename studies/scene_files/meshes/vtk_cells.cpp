@@ -2,6 +2,7 @@
 
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
+#include "studies/readers/printable.hpp"
 
 #include <fmt/format.h>
 
@@ -141,12 +142,9 @@ bool tells_faces_apart(const std::vector<VtkPiece>& pieces, const std::string& n
 
 /// Names in quotes, and how many more there are.
 std::string quoted(const std::vector<std::string>& names) {
-    constexpr std::size_t most_named = 3;
     std::vector<std::string> shown;
-    for (std::size_t k = 0; k < std::min(names.size(), most_named); ++k)
-        shown.push_back(fmt::format("'{}'", excerpt(as_word(names[k]))));
-    const std::string text = fmt::format("{}", fmt::join(shown, ", "));
-    return names.size() > most_named ? fmt::format("{} and {} more", text, names.size() - most_named) : text;
+    for (const std::string& name : names) shown.push_back(fmt::format("'{}'", excerpt(as_word(name))));
+    return first_names(std::move(shown), 3);
 }
 
 /// The points of a cell, which begin at this place in the list of all. @throws UserError where they do not end after it

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "studies/scene_files/meshes/formats.hpp"
 #include "studies/scene_files/meshes/mesh_input.hpp"
-#include "studies/scene_files/meshes/surface_mesh.hpp"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -13,11 +14,19 @@
 
 namespace ff::studies::meshes {
 
-/// Types of cells that files with sections for each kind of cell do not number.
-inline constexpr std::int64_t vtk_poly_vertex = 2;
-inline constexpr std::int64_t vtk_poly_line = 4;
 inline constexpr std::int64_t vtk_triangle_strip = 6;
 inline constexpr std::int64_t vtk_polygon = 7;
+
+/// A section of cells of one kind, whose type files with such sections do not number.
+struct VtkSection {
+    std::string_view legacy;
+    std::string_view xml;
+    std::int64_t type;
+};
+/// Cells count in this order, whatever the order of sections in a file.
+inline constexpr std::array vtk_sections{VtkSection{"VERTICES", "Verts", 2}, VtkSection{"LINES", "Lines", 4},
+                                         VtkSection{"POLYGONS", "Polys", vtk_polygon},
+                                         VtkSection{"TRIANGLE_STRIPS", "Strips", vtk_triangle_strip}};
 
 /// Cells as files of VTK have them.
 struct VtkCells {

@@ -44,7 +44,7 @@ class LegacyReader {
         in_.set_section("header");
         const std::string encoding = in_capitals(in_.line());
         if (encoding != "ASCII" && encoding != "BINARY")
-            in_.fail(fmt::format("the third line is '{}', not ASCII or BINARY. Correct it.", excerpt(encoding)));
+            in_.fail("the third line is '{}', not ASCII or BINARY. Correct it.", excerpt(encoding));
         if (encoding == "BINARY") in_.set_encoding(Encoding::big_endian);
         while (!in_.at_end()) {
             const std::string keyword = in_capitals(in_.word());
@@ -60,29 +60,23 @@ class LegacyReader {
     std::string_view file_;
     MeshInput in_;
     SurfaceMesh mesh_;
-    // Cells count in this order, whatever the order of sections.
-    static constexpr std::array<std::pair<std::string_view, std::int64_t>, 4> sections{
-        {{"VERTICES", vtk_poly_vertex},
-         {"LINES", vtk_poly_line},
-         {"POLYGONS", vtk_polygon},
-         {"TRIANGLE_STRIPS", vtk_triangle_strip}}};
-    std::array<VtkCells, sections.size()> of_sections_;
+    std::array<VtkCells, vtk_sections.size()> of_sections_;
     VtkCells cells_;
     Owner owner_ = Owner::none;
     std::uint64_t owned_ = 0;  ///< number of cells or points that arrays belong to
     VtkArrays arrays_;         ///< arrays of cells
 
     void read_section(const std::string& keyword) {
-        for (std::size_t i = 0; i < sections.size(); ++i) {
-            if (sections[i].first == keyword) return read_connections(of_sections_[i]);
+        for (std::size_t i = 0; i < vtk_sections.size(); ++i) {
+            if (vtk_sections[i].legacy == keyword) return read_connections(of_sections_[i]);
         }
         if (keyword == "DATASET") {
             const std::string kind = in_capitals(in_.word());
             if (kind != "POLYDATA" && kind != "UNSTRUCTURED_GRID")
                 in_.fail(
-                    fmt::format("'{}' is not read (POLYDATA and UNSTRUCTURED_GRID are). Extract the surface, as "
-                                "ParaView's filter Extract Surface does.",
-                                excerpt(kind)));
+                    "'{}' is not read (POLYDATA and UNSTRUCTURED_GRID are). Extract the surface, as ParaView's filter "
+                    "Extract Surface does.",
+                    excerpt(kind));
         } else if (keyword == "POINTS") {
             read_points();
         } else if (keyword == "CELLS") {
@@ -105,7 +99,7 @@ class LegacyReader {
 
     NumberType type(std::string_view name) const {
         const auto known = number_type_named(in_capitals(name), &NumberTypeNames::vtk_legacy);
-        if (!known) in_.fail(fmt::format("numbers of type '{}' are not read. Leave them out.", excerpt(name)));
+        if (!known) in_.fail("numbers of type '{}' are not read. Leave them out.", excerpt(name));
         return *known;
     }
 
@@ -130,15 +124,15 @@ class LegacyReader {
         for (std::size_t at = 0; at < values.size();) {
             const std::int64_t points = values[at++];
             if (points < 0 || static_cast<std::size_t>(points) > values.size() - at)
-                in_.fail(fmt::format("cell {} has {} points, and {} numbers follow. Correct it.", cells.ends.size(),
-                                     points, values.size() - at));
+                in_.fail("cell {} has {} points, and {} numbers follow. Correct it.", cells.ends.size(), points,
+                         values.size() - at);
             const auto begin = values.begin() + static_cast<std::ptrdiff_t>(at);
             cells.points.insert(cells.points.end(), begin, begin + points);
             cells.ends.push_back(static_cast<std::int64_t>(cells.points.size()));
             at += static_cast<std::size_t>(points);
         }
         if (cells.ends.size() != count)
-            in_.fail(fmt::format("{} cells are announced, and there are {}. Correct it.", count, cells.ends.size()));
+            in_.fail("{} cells are announced, and there are {}. Correct it.", count, cells.ends.size());
     }
 
     void read_offsets(VtkCells& cells, std::uint64_t count, std::uint64_t size) {
@@ -149,7 +143,7 @@ class LegacyReader {
 
     std::vector<std::int64_t> read_named(std::string_view name, std::uint64_t count) {
         if (in_capitals(in_.next_word()) != name)
-            in_.fail(fmt::format("'{}' stands where {} is expected. Correct it.", excerpt(in_.next_word()), name));
+            in_.fail("'{}' stands where {} is expected. Correct it.", excerpt(in_.next_word()), name);
         static_cast<void>(in_.word());
         const NumberType whole = type(in_.word());
         in_.line();
@@ -256,13 +250,12 @@ class LegacyReader {
     SurfaceMesh finish() {
         in_.set_section("");
         if (cells_.types.size() != cells_.ends.size())
-            in_.fail(fmt::format("{} cells have {} types. Correct CELLS or CELL_TYPES.", cells_.ends.size(),
-                                 cells_.types.size()));
-        for (std::size_t i = 0; i < sections.size(); ++i) cells_.append(of_sections_[i], sections[i].second);
+            in_.fail("{} cells have {} types. Correct CELLS or CELL_TYPES.", cells_.ends.size(), cells_.types.size());
+        for (std::size_t i = 0; i < vtk_sections.size(); ++i) cells_.append(of_sections_[i], vtk_sections[i].type);
         for (const VtkArray& array : arrays_.usable) {
             if (array.size() != cells_.ends.size())
-                in_.fail(fmt::format("array {} has {} values for {} cells. Correct it.", excerpt(array.name),
-                                     array.size(), cells_.ends.size()));
+                in_.fail("array {} has {} values for {} cells. Correct it.", excerpt(array.name), array.size(),
+                         cells_.ends.size());
         }
         const std::size_t points = mesh_.point_count();
         add_pieces(mesh_, file_, {{0, points, std::move(cells_), std::move(arrays_)}});

@@ -4,13 +4,14 @@
 #include "studies/scene_files/meshes/formats.hpp"
 #include "studies/scene_files/meshes/mesh_input.hpp"
 #include "studies/scene_files/meshes/vtk_cells.hpp"
-#include "studies/scene_files/meshes/vtk_data_array.hpp"
 
 #include <fmt/format.h>
+#include <zlib.h>
 #include <pugixml.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <optional>
 #include <string>
 #include <utility>
@@ -28,6 +29,123 @@ std::optional<NumberType> xml_type(std::string_view name) {
     return number_type_named(name, &NumberTypeNames::vtk_xml);
 }
 
+/// How a file of VTK's XML packs the bytes of its arrays.
+struct Packing {
+    Encoding encoding = Encoding::little_endian;
+    NumberType header{NumberType::Kind::natural, 4};
+    bool is_compressed = false;  ///< compressed by zlib, in blocks
+};
+
+enum class ByteForm { raw, base64 };
+
+template <class... Values>
+[[noreturn]] void refuse(const std::string& place, fmt::format_string<Values...> problem, Values&&... values) {
+    throw UserError(fmt::format("{}: {}", place, fmt::format(problem, std::forward<Values>(values)...)));
+}
+
+/// Bytes of an array, from front to back.
+class EncodedBytes {
+  public:
+    EncodedBytes(const std::string& place, std::string_view text, ByteForm form)
+        : place_(place), text_(text), form_(form) {}
+
+    [[nodiscard]] const std::string& place() const { return place_; }
+
+    /// The next bytes. @throws UserError where there are fewer, before storage is taken for them
+    std::string take(std::uint64_t count) {
+        const std::size_t most = form_ == ByteForm::raw ? text_.size() : decoded_.size() + text_.size();
+        if (count > most)
+            refuse(
+                place_,
+                "{} bytes are announced, and {} follow (the file was cut off, or the number is wrong). Write it again.",
+                count, most);
+        std::string bytes;
+        if (form_ == ByteForm::raw) {
+            bytes = text_.substr(0, count);
+            text_.remove_prefix(count);
+            return bytes;
+        }
+        while (decoded_.size() < count) decode_group();
+        bytes = decoded_.substr(0, count);
+        decoded_.erase(0, count);
+        return bytes;
+    }
+
+  private:
+    const std::string& place_;
+    std::string_view text_;
+    ByteForm form_;
+    std::string decoded_;  ///< the bytes of the last group of base64 that were not taken yet
+
+    void decode_group() {
+        constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+        std::uint32_t bits = 0;
+        int count = 0;
+        int padding = 0;
+        while (count < 4) {
+            if (text_.empty()) refuse(place_, "its bytes end early (the file was cut off). Write it again.");
+            const char c = text_.front();
+            text_.remove_prefix(1);
+            if (std::isspace(static_cast<unsigned char>(c)) != 0) continue;
+            const std::size_t digit = c == '=' ? 0 : digits.find(c);
+            if (digit == std::string_view::npos || (padding > 0 && c != '=') || (c == '=' && count < 2))
+                refuse(place_, "a character that is not base64 (damaged). Write it again.");
+            padding += c == '=' ? 1 : 0;
+            bits = bits << 6 | static_cast<std::uint32_t>(digit);
+            ++count;
+        }
+        for (int byte = 0; byte < 3 - padding; ++byte)
+            decoded_ += static_cast<char>(static_cast<unsigned char>(bits >> (16 - 8 * byte) & 0xff));
+    }
+};
+
+std::uint64_t next_of_header(EncodedBytes& bytes, const Packing& packing) {
+    const std::string number = bytes.take(packing.header.bytes);
+    return static_cast<std::uint64_t>(MeshInput::part(bytes.place(), number, packing.encoding).whole(packing.header));
+}
+
+std::string inflate_block(const std::string& packed, std::uint64_t size, const std::string& place) {
+    constexpr std::uint64_t most_expansion = 1032;  // what deflate can do: https://zlib.net/zlib_tech.html
+    if (size / most_expansion > packed.size())
+        refuse(place, "a block of {} bytes is said to have {} (more than zlib can pack into it). Write it again.",
+               packed.size(), size);
+    std::string block(size, '\0');
+    uLongf length = size;
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of zlib are unsigned
+    const auto* const source = reinterpret_cast<const Bytef*>(packed.data());
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the same
+    const int status = uncompress(reinterpret_cast<Bytef*>(block.data()), &length, source, packed.size());
+    if (status != Z_OK || length != size)
+        refuse(place,
+               "a compressed block cannot be unpacked to its {} bytes (damaged). Write it again, or uncompressed.",
+               size);
+    return block;
+}
+
+std::string unpack_blocks(EncodedBytes& bytes, const Packing& packing) {
+    const auto next = [&] { return next_of_header(bytes, packing); };
+    const std::uint64_t blocks = next();
+    if (blocks == 0) return {};
+    const std::uint64_t size = next();
+    const std::uint64_t last_size = next();
+    std::vector<std::uint64_t> packed_sizes;
+    for (std::uint64_t i = 0; i < blocks; ++i) packed_sizes.push_back(next());
+    std::string all;
+    for (std::uint64_t i = 0; i < blocks; ++i) {
+        const bool is_partial = i + 1 == blocks && last_size != 0;
+        all += inflate_block(bytes.take(packed_sizes[i]), is_partial ? last_size : size, bytes.place());
+    }
+    return all;
+}
+
+/// The bytes of an array, behind the header that tells how many there are.
+/// @param place  names file and array in messages  @throws UserError where they are fewer, or damaged
+std::string unpack(const std::string& place, std::string_view text, ByteForm form, const Packing& packing) {
+    EncodedBytes bytes(place, text, form);
+    if (packing.is_compressed) return unpack_blocks(bytes, packing);
+    return bytes.take(next_of_header(bytes, packing));
+}
+
 class XmlReader {
   public:
     XmlReader(std::string_view file, std::string_view bytes) : file_(file), mesh_(file) { parse(bytes); }
@@ -36,17 +154,13 @@ class XmlReader {
         const pugi::xml_node root = document_.child("VTKFile");
         const std::string kind = root.attribute("type").value();
         if (kind != "UnstructuredGrid" && kind != "PolyData")
-            fail(
-                fmt::format("a file of type '{}' (UnstructuredGrid and PolyData are read). Extract the surface, as "
-                            "ParaView's filter Extract Surface does, and save it as .vtp.",
-                            excerpt(kind)));
+            refuse(file_,
+                   "a file of type '{}' (UnstructuredGrid and PolyData are read). Extract the surface, as ParaView's "
+                   "filter Extract Surface does, and save it as .vtp.",
+                   excerpt(kind));
         read_packing(root);
-        for (const pugi::xml_node piece : root.child(kind.c_str()).children("Piece")) {
-            if (kind == "PolyData")
-                read_poly_data(piece);
-            else
-                read_grid(piece);
-        }
+        for (const pugi::xml_node piece : root.child(kind.c_str()).children("Piece"))
+            read_piece(piece, kind == "UnstructuredGrid");
         add_pieces(mesh_, file_, pieces_);
         return std::move(mesh_);
     }
@@ -59,8 +173,6 @@ class XmlReader {
     Packing packing_;
     SurfaceMesh mesh_;
     std::vector<VtkPiece> pieces_;
-
-    [[noreturn]] void fail(std::string_view problem) const { throw UserError(fmt::format("{}: {}", file_, problem)); }
 
     /// Appended data need not be XML: the document ends before them.
     void parse(std::string_view bytes) {
@@ -88,31 +200,29 @@ class XmlReader {
         const std::string compressor = root.attribute("compressor").value();
         const std::string encoding = root.child("AppendedData").attribute("encoding").as_string("raw");
         if (order != "LittleEndian" && order != "BigEndian")
-            fail(fmt::format("byte_order '{}' (LittleEndian and BigEndian are known). Correct it.", excerpt(order)));
+            refuse(file_, "byte_order '{}' (LittleEndian and BigEndian are known). Correct it.", excerpt(order));
         if (header != "UInt32" && header != "UInt64")
-            fail(fmt::format("header_type '{}' (UInt32 and UInt64 are known). Correct it.", excerpt(header)));
+            refuse(file_, "header_type '{}' (UInt32 and UInt64 are known). Correct it.", excerpt(header));
         if (!compressor.empty() && compressor != "vtkZLibDataCompressor")
-            fail(fmt::format("compressor '{}' (vtkZLibDataCompressor is read). Write it with that, or uncompressed.",
-                             excerpt(compressor)));
+            refuse(file_, "compressor '{}' (vtkZLibDataCompressor is read). Write it with that, or uncompressed.",
+                   excerpt(compressor));
         if (encoding != "raw" && encoding != "base64")
-            fail(fmt::format("encoding '{}' of AppendedData (raw and base64 are known). Correct it.",
-                             excerpt(encoding)));
+            refuse(file_, "encoding '{}' of AppendedData (raw and base64 are known). Correct it.", excerpt(encoding));
         packing_ = {order == "BigEndian" ? Encoding::big_endian : Encoding::little_endian, *xml_type(header),
                     !compressor.empty()};
         form_ = encoding == "raw" ? ByteForm::raw : ByteForm::base64;
     }
 
-    [[nodiscard]] std::uint64_t count(pugi::xml_node piece, const char* attribute) const {
-        const std::string_view text = trimmed(piece.attribute(attribute).as_string("0"));
+    [[nodiscard]] std::uint64_t count(pugi::xml_node piece, const std::string& attribute) const {
+        const std::string_view text = trimmed(piece.attribute(attribute.c_str()).as_string("0"));
         const auto value = parse_bare_number<std::uint64_t>(text);
-        if (!value)
-            fail(fmt::format("{} is '{}', which is no number of things. Correct it.", attribute, excerpt(text)));
+        if (!value) refuse(file_, "{} is '{}', which is no number of things. Correct it.", attribute, excerpt(text));
         return *value;
     }
 
     [[nodiscard]] pugi::xml_node array_of(pugi::xml_node parent, const char* name) const {
         const pugi::xml_node array = parent.find_child_by_attribute("DataArray", "Name", name);
-        if (!array) fail(fmt::format("{} has no array '{}'. Write it again.", parent.name(), name));
+        if (!array) refuse(file_, "{} has no array '{}'. Write it again.", parent.name(), name);
         return array;
     }
 
@@ -125,23 +235,22 @@ class XmlReader {
         if (format == "appended") {
             const std::uint64_t offset = count(array, "offset");
             if (offset >= appended_.size())
-                fail(
-                    fmt::format("array '{}' is at offset {}, of {} appended bytes (the file was cut off, or the "
-                                "offset is wrong). Write it again.",
-                                excerpt(array.attribute("Name").value()), offset, appended_.size()));
+                refuse(file_,
+                       "array '{}' is at offset {}, of {} appended bytes (the file was cut off, or the offset is "
+                       "wrong). Write it again.",
+                       excerpt(array.attribute("Name").value()), offset, appended_.size());
             bytes = unpack(place, appended_.substr(offset), form_, packing_);
         } else if (format == "binary") {
             bytes = unpack(place, array.text().get(), ByteForm::base64, packing_);
         } else if (format == "ascii") {
             bytes = array.text().get();
         } else {
-            throw UserError(fmt::format("{}: format '{}' (ascii, binary and appended are known). Correct it.", place,
-                                        excerpt(format)));
+            refuse(place, "format '{}' (ascii, binary and appended are known). Correct it.", excerpt(format));
         }
         auto input = MeshInput::part(place, bytes, format == "ascii" ? Encoding::text : packing_.encoding);
         auto numbers = read(input);
         if (!(format == "ascii" ? input.at_end() : input.left() == 0))
-            input.fail(fmt::format("it has more than the {} numbers that belong there. Correct it.", numbers.size()));
+            input.fail("it has more than the {} numbers that belong there. Correct it.", numbers.size());
         return numbers;
     }
 
@@ -149,8 +258,8 @@ class XmlReader {
         const std::string_view name = array.attribute("type").value();
         const auto type = xml_type(name);
         if (!type)
-            fail(fmt::format("array '{}' is of type '{}', which is none of numbers. Correct it.",
-                             excerpt(array.attribute("Name").value()), excerpt(name)));
+            refuse(file_, "array '{}' is of type '{}', which is none of numbers. Correct it.",
+                   excerpt(array.attribute("Name").value()), excerpt(name));
         return *type;
     }
 
@@ -159,20 +268,19 @@ class XmlReader {
         return with_numbers(array, [&](MeshInput& input) { return input.wholes(type, size, 1); });
     }
 
-    /// @return the number of points before them, and theirs
-    std::pair<std::size_t, std::size_t> read_points(pugi::xml_node piece) {
-        const std::size_t before = mesh_.point_count();
+    /// @return how many there are
+    std::uint64_t read_points(pugi::xml_node piece) {
         const std::uint64_t points = count(piece, "NumberOfPoints");
-        if (points == 0) return {before, 0};
+        if (points == 0) return 0;
         const pugi::xml_node array = piece.child("Points").child("DataArray");
-        if (!array) fail("a piece without its array of points. Write it again.");
+        if (!array) refuse(file_, "a piece without its array of points. Write it again.");
         if (array.attribute("NumberOfComponents").as_int(3) != 3)
-            fail(fmt::format("points of {} coordinates (three are read). Write it again.",
-                             array.attribute("NumberOfComponents").as_int()));
+            refuse(file_, "points of {} coordinates (three are read). Write it again.",
+                   array.attribute("NumberOfComponents").as_int());
         const NumberType type = type_of(array);
         const auto values = with_numbers(array, [&](MeshInput& input) { return input.reals(type, points, 3); });
         for (std::size_t i = 0; i < values.size(); i += 3) mesh_.add_point({values[i], values[i + 1], values[i + 2]});
-        return {before, points};
+        return points;
     }
 
     /// Cells without types.
@@ -180,7 +288,7 @@ class XmlReader {
         if (number == 0) return {};
         auto ends = wholes(array_of(cells, "offsets"), number);
         const std::int64_t size = ends.back();
-        if (size < 0) fail(fmt::format("array 'offsets' ends with {}. Correct it.", size));
+        if (size < 0) refuse(file_, "array 'offsets' ends with {}. Correct it.", size);
         return {wholes(array_of(cells, "connectivity"), static_cast<std::uint64_t>(size)), std::move(ends), {}};
     }
 
@@ -196,33 +304,32 @@ class XmlReader {
         return arrays;
     }
 
-    void read_grid(pugi::xml_node piece) {
-        const auto [first_point, points] = read_points(piece);
+    [[nodiscard]] VtkCells read_grid(pugi::xml_node piece) const {
         const std::uint64_t number = count(piece, "NumberOfCells");
-        if (number == 0) return;
+        if (number == 0) return {};
         VtkCells cells = read_cells(piece.child("Cells"), number);
         cells.types = wholes(array_of(piece.child("Cells"), "types"), number);
-        pieces_.push_back({first_point, points, std::move(cells), read_arrays(piece, number)});
+        return cells;
     }
 
-    void read_poly_data(pugi::xml_node piece) {
-        struct Section {
-            const char* name;
-            const char* number;
-            std::int64_t type;
-        };
-        // Cells count in this order, whatever the order of sections.
-        constexpr std::array<Section, 4> sections{{{"Verts", "NumberOfVerts", vtk_poly_vertex},
-                                                   {"Lines", "NumberOfLines", vtk_poly_line},
-                                                   {"Polys", "NumberOfPolys", vtk_polygon},
-                                                   {"Strips", "NumberOfStrips", vtk_triangle_strip}}};
-        const auto [first_point, points] = read_points(piece);
+    [[nodiscard]] VtkCells read_poly_data(pugi::xml_node piece) const {
         VtkCells cells;
-        for (const Section& section : sections)
-            cells.append(read_cells(piece.child(section.name), count(piece, section.number)), section.type);
-        if (cells.ends.empty()) return;
-        const std::uint64_t number = cells.ends.size();
-        pieces_.push_back({first_point, points, std::move(cells), read_arrays(piece, number)});
+        for (const VtkSection& section : vtk_sections) {
+            const std::string name(section.xml);
+            cells.append(read_cells(piece.child(name.c_str()), count(piece, "NumberOf" + name)), section.type);
+        }
+        return cells;
+    }
+
+    void read_piece(pugi::xml_node node, bool is_grid) {
+        VtkPiece piece;
+        piece.first_point = mesh_.point_count();
+        piece.points = read_points(node);
+        piece.cells = is_grid ? read_grid(node) : read_poly_data(node);
+        const std::uint64_t number = piece.cells.ends.size();
+        if (number == 0) return;
+        piece.arrays = read_arrays(node, number);
+        pieces_.push_back(std::move(piece));
     }
 };
 

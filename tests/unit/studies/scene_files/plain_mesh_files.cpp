@@ -1,6 +1,7 @@
 // STL, PLY and OFF, whose files have few marks by which a reader would notice that they were cut off; and the checks of
 // glTF before a library reads it.
 #include "core/support/error.hpp"
+#include "studies/scene_files/formats.hpp"
 #include "studies/scene_files/meshes/formats.hpp"
 #include "tests/unit/studies/scene_files/mesh_samples.hpp"
 #include "tests/unit/studies/scene_files/sample_room.hpp"
