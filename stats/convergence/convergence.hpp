@@ -3,7 +3,7 @@
 #include "stats/basics/interval.hpp"
 #include "stats/basics/resampling.hpp"
 #include "stats/convergence/line_fit.hpp"
-#include "stats/means/measured.hpp"
+#include "stats/means/mean_test.hpp"
 
 #include <cstddef>
 #include <cstdint>

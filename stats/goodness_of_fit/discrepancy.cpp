@@ -1,6 +1,7 @@
 #include "stats/goodness_of_fit/discrepancy.hpp"
 
 #include "core/support/contract.hpp"
+#include "stats/basics/quantiles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -53,10 +54,9 @@ double centred_discrepancy(const Coordinates& points) {
 
 double largest_gap(std::span<const double> coordinates) {
     FF_EXPECT(!coordinates.empty());
-    std::vector<double> sorted(coordinates.begin(), coordinates.end());
-    std::sort(sorted.begin(), sorted.end());
-    double gap = sorted.front() + 1 - sorted.back();
-    for (std::size_t i = 1; i < sorted.size(); ++i) gap = std::max(gap, sorted[i] - sorted[i - 1]);
+    const std::vector<double> ascending = sorted(coordinates);
+    double gap = ascending.front() + 1 - ascending.back();
+    for (std::size_t i = 1; i < ascending.size(); ++i) gap = std::max(gap, ascending[i] - ascending[i - 1]);
     return gap;
 }
 

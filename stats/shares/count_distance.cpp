@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace ff::stats {
@@ -40,9 +41,7 @@ Cells pool_neighbours(std::span<const double> first, std::span<const double> sec
 }
 
 double sum_of(std::span<const double> values) {
-    double sum = 0;
-    for (const double value : values) sum += value;
-    return sum;
+    return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
 /// o ln(o / e) - (o - e), accurately where the two are large and nearly equal.

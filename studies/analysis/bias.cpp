@@ -8,7 +8,7 @@
 #include "stats/error_rates/multiplicity.hpp"
 #include "stats/error_rates/power.hpp"
 #include "stats/means/mean_test.hpp"
-#include "stats/variances/tail_doubt.hpp"
+#include "stats/variances/tails.hpp"
 
 #include <algorithm>
 #include <cmath>

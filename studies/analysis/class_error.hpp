@@ -5,7 +5,6 @@
 #include "core/visibility/pair_class.hpp"
 #include "stats/basics/interval.hpp"
 #include "stats/means/mean_test.hpp"
-#include "stats/means/measured.hpp"
 #include "studies/analysis/summary.hpp"
 #include "studies/trials/estimates.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stats/means/measured.hpp"
+#include "stats/means/mean_test.hpp"
 #include "studies/analysis/analysis.hpp"
 
 #include <array>

@@ -3,9 +3,9 @@
 #include "stats/basics/distributions.hpp"
 #include "stats/basics/moments.hpp"
 #include "stats/basics/quantiles.hpp"
-#include "stats/goodness_of_fit/normality.hpp"
+#include "stats/goodness_of_fit/anderson_darling.hpp"
 #include "stats/means/two_stage.hpp"
-#include "stats/variances/tail_index.hpp"
+#include "stats/variances/tails.hpp"
 #include "stats/variances/variance_interval.hpp"
 
 #include <algorithm>

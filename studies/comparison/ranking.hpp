@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stats/basics/interval.hpp"
-#include "stats/means/measured.hpp"
+#include "stats/means/mean_test.hpp"
 #include "studies/analysis/slopes.hpp"
 #include "studies/diagnostics/variance_reduction.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/visibility/pair_class.hpp"
-#include "stats/dependence/rank_correlation.hpp"
+#include "stats/dependence/correlation.hpp"
 #include "studies/analysis/analysis.hpp"
 
 #include <cstddef>

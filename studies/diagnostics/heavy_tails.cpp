@@ -1,7 +1,7 @@
 #include "studies/diagnostics/heavy_tails.hpp"
 
 #include "stats/error_rates/multiplicity.hpp"
-#include "stats/variances/tail_index.hpp"
+#include "stats/variances/tails.hpp"
 
 namespace ff::studies {
 namespace {

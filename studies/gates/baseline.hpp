@@ -1,7 +1,7 @@
 #pragma once
 
 #include "stats/basics/moments.hpp"
-#include "stats/variances/spread.hpp"
+#include "stats/variances/variance_interval.hpp"
 #include "studies/trials/estimates.hpp"
 
 #include <cstddef>

@@ -1,7 +1,6 @@
 #include "stats/dependence/repeats.hpp"
 #include "stats/means/mean_interval.hpp"
 #include "stats/means/mean_test.hpp"
-#include "stats/means/measured.hpp"
 #include "studies/analysis/class_error.hpp"
 #include "studies/gates/gate_run.hpp"
 #include "studies/theory/known_variance.hpp"

@@ -4,7 +4,7 @@
 #include "samplers/point_sets/draw_set.hpp"
 #include "samplers/point_sets/net_parameter.hpp"
 #include "stats/basics/moments.hpp"
-#include "stats/dependence/serial_correlation.hpp"
+#include "stats/dependence/correlation.hpp"
 #include "stats/error_rates/multiplicity.hpp"
 #include "stats/error_rates/power.hpp"
 #include "stats/goodness_of_fit/chi_squared.hpp"

@@ -2,10 +2,9 @@
 
 #include "stats/basics/binomial.hpp"
 #include "stats/convergence/convergence.hpp"
-#include "stats/dependence/serial_correlation.hpp"
+#include "stats/dependence/correlation.hpp"
 #include "stats/means/mean_test.hpp"
-#include "stats/means/measured.hpp"
-#include "stats/variances/spread.hpp"
+#include "stats/variances/variance_interval.hpp"
 #include "studies/verdicts/verdict.hpp"
 
 #include <limits>

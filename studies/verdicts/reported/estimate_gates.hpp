@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stats/dependence/serial_correlation.hpp"
+#include "stats/dependence/correlation.hpp"
 #include "studies/verdicts/gate.hpp"
 #include "studies/verdicts/gate_result.hpp"
 #include "studies/verdicts/reported/estimates_file.hpp"

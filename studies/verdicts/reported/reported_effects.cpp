@@ -1,7 +1,7 @@
 #include "studies/verdicts/reported/reported_effects.hpp"
 
 #include "stats/basics/distributions.hpp"
-#include "stats/dependence/independence.hpp"
+#include "stats/dependence/correlation.hpp"
 #include "studies/verdicts/at_gate.hpp"
 #include "studies/verdicts/reported/covariance.hpp"
 #include "studies/verdicts/reported/reported_gates.hpp"

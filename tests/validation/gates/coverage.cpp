@@ -5,7 +5,6 @@
 #include "stats/goodness_of_fit/anderson_darling.hpp"
 #include "stats/means/mean_interval.hpp"
 #include "stats/means/two_stage.hpp"
-#include "stats/variances/spread.hpp"
 #include "stats/variances/variance_interval.hpp"
 #include "studies/comparison/rivals.hpp"
 #include "studies/diagnostics/variance_reduction.hpp"

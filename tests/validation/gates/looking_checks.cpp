@@ -1,7 +1,6 @@
 #include "tests/validation/gates/looking_checks.hpp"
 
 #include "stats/basics/moments.hpp"
-#include "stats/means/confidence_sequence.hpp"
 #include "stats/means/mean_interval.hpp"
 #include "studies/verdicts/ledger.hpp"
 #include "studies/verdicts/reported/reported_gates.hpp"

@@ -2,7 +2,7 @@
 
 #include "stats/error_rates/multiplicity.hpp"
 #include "stats/means/mean_test.hpp"
-#include "stats/variances/tail_doubt.hpp"
+#include "stats/variances/tails.hpp"
 #include "tests/validation/gates/made_up_files.hpp"
 #include "tests/validation/rates/bench.hpp"
 

@@ -4,7 +4,7 @@
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"
 #include "stats/basics/moments.hpp"
-#include "stats/variances/tail_index.hpp"
+#include "stats/variances/tails.hpp"
 #include "tests/support/gauss_points.hpp"
 #include "tests/support/philox_points.hpp"
 #include "tests/unit/core/tracing/instruction_sets.hpp"

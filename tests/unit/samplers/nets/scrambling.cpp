@@ -1,6 +1,6 @@
 #include "tests/unit/samplers/nets/scrambling.hpp"
 
-#include "stats/variances/spread.hpp"
+#include "stats/variances/variance_interval.hpp"
 #include "tests/support/statistical_assertions.hpp"
 
 #include <cmath>

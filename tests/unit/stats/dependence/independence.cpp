@@ -1,4 +1,4 @@
-#include "stats/dependence/independence.hpp"
+#include "stats/dependence/correlation.hpp"
 
 #include "stats/basics/binomial.hpp"
 

@@ -1,4 +1,4 @@
-#include "stats/dependence/rank_correlation.hpp"
+#include "stats/dependence/correlation.hpp"
 
 #include <gtest/gtest.h>
 

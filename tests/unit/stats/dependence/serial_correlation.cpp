@@ -1,4 +1,4 @@
-#include "stats/dependence/serial_correlation.hpp"
+#include "stats/dependence/correlation.hpp"
 
 #include "tests/support/repetitions.hpp"
 #include "tests/support/statistical_assertions.hpp"

@@ -1,4 +1,4 @@
-#include "stats/goodness_of_fit/normality.hpp"
+#include "stats/goodness_of_fit/anderson_darling.hpp"
 
 #include "stats/basics/binomial.hpp"
 #include "stats/basics/moments.hpp"

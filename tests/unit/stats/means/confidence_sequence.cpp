@@ -1,4 +1,4 @@
-#include "stats/means/confidence_sequence.hpp"
+#include "stats/means/mean_interval.hpp"
 
 #include "stats/basics/distributions.hpp"
 

@@ -1,4 +1,4 @@
-#include "stats/means/measured.hpp"
+#include "stats/means/mean_test.hpp"
 
 #include "stats/basics/distributions.hpp"
 

@@ -1,4 +1,4 @@
-#include "stats/variances/spread.hpp"
+#include "stats/variances/variance_interval.hpp"
 
 #include "tests/support/statistical_assertions.hpp"
 #include "tests/unit/stats/samples.hpp"

@@ -1,4 +1,4 @@
-#include "stats/variances/tail_index.hpp"
+#include "stats/variances/tails.hpp"
 
 #include "tests/support/statistical_assertions.hpp"
 #include "tests/unit/stats/samples.hpp"

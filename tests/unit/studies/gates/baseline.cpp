@@ -1,7 +1,7 @@
 #include "studies/gates/baseline.hpp"
 
 #include "core/support/error.hpp"
-#include "stats/variances/spread.hpp"
+#include "stats/variances/variance_interval.hpp"
 #include "tests/support/studies.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "stats/basics/interval.hpp"
+
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -34,5 +36,29 @@ struct Autocorrelation {
 /// Summed while pairs of successive autocorrelations are positive and fall (initial monotone sequence [geyer1992]), and
 /// corrected for the mean's own share, which hides correlation in short series. @pre values are not all equal
 Autocorrelation autocorrelation_of(std::span<const double> values);
+
+/// P-value of "these variables are independent of each other", against any correlation between them, however many they
+/// are: by the sum of all squared correlation coefficients [schott2005], whose distribution is taken to be that of a
+/// multiple of chi-squared with the same mean and variance. For normal values; no variance needs to be known. Takes
+/// time proportional to the number of values times that of repetitions.
+/// @param values  all repetitions of the first variable, then those of the next
+/// @return empty with fewer than 4 repetitions, or fewer than 2 variables that vary
+std::optional<double> p_of_independence(std::span<const double> values, std::size_t repetitions);
+
+/// Kendall's tau-b of two series: 1 where they have the same order, -1 where they have opposite ones.
+struct RankCorrelation {
+    double tau = 0;
+    /// All tau within the normal quantile times the largest possible standard deviation, sqrt(2 (1 - tau²) / n), of the
+    /// observed one, whatever the distribution [kendall1970].
+    Interval interval;
+};
+
+/// Fewer pairs of values tell next to nothing.
+inline constexpr std::size_t fewest_ranked = 6;
+
+/// Empty for fewer than `fewest_ranked` values, and where all values of one series are equal.
+/// @pre as many of both  @param level  of the interval
+std::optional<RankCorrelation> rank_correlation(std::span<const double> first, std::span<const double> second,
+                                                double level);
 
 }  // namespace ff::stats

@@ -1,4 +1,4 @@
-#include "stats/dependence/serial_correlation.hpp"
+#include "stats/dependence/correlation.hpp"
 
 #include "core/points/stream.hpp"
 #include "core/support/contract.hpp"
@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace ff::stats {
 namespace {
@@ -59,6 +61,10 @@ double share_of_orders(std::vector<double> x, double squares, double p) {
     return static_cast<double>(found) / static_cast<double>(orders);
 }
 
+int sign_of(double x) {
+    return x > 0 ? 1 : x < 0 ? -1 : 0;
+}
+
 }  // namespace
 
 std::optional<SerialTest> test_serial_correlation(std::span<const double> values) {
@@ -92,6 +98,71 @@ Autocorrelation autocorrelation_of(std::span<const double> values) {
     constexpr double least_left = 0.1;
     time /= std::max(least_left, 1 - 2 * time / n);
     return {.time = time, .freedom = n / (3 * time)};
+}
+
+std::optional<double> p_of_independence(std::span<const double> values, std::size_t repetitions) {
+    constexpr std::size_t fewest_repetitions = 4;
+    if (repetitions < fewest_repetitions) return std::nullopt;
+    FF_EXPECT(values.size() % repetitions == 0);
+    // With variables as vectors of length 1 around their means, the sum of all squared products of two variables, which
+    // are correlation coefficients, is that of the squared entries of the sum of their outer products.
+    std::vector<double> outer(repetitions * repetitions);
+    std::vector<double> centred(repetitions);
+    double variables = 0;
+    for (std::size_t first = 0; first < values.size(); first += repetitions) {
+        const auto variable = values.subspan(first, repetitions);
+        const double mean = std::accumulate(variable.begin(), variable.end(), 0.0) / static_cast<double>(repetitions);
+        double squares = 0;
+        for (std::size_t i = 0; i < repetitions; ++i) {
+            centred[i] = variable[i] - mean;
+            squares += centred[i] * centred[i];
+        }
+        if (squares == 0) continue;
+        ++variables;
+        for (std::size_t i = 0; i < repetitions; ++i) {
+            const double scaled = centred[i] / squares;
+            for (std::size_t j = 0; j < repetitions; ++j) outer[i * repetitions + j] += scaled * centred[j];
+        }
+    }
+    if (variables < 2) return std::nullopt;
+    const double squares = std::inner_product(outer.begin(), outer.end(), outer.begin(), 0.0);
+    const double of_pairs = (squares - variables) / 2;
+    const auto freedom = static_cast<double>(repetitions - 1);
+    const double pairs = variables * (variables - 1) / 2;
+    const double mean = pairs / freedom;
+    const double variance = pairs * 2 * (freedom - 1) / (freedom * freedom * (freedom + 2));
+    return chi_squared_tail(2 * mean / variance * of_pairs, 2 * mean * mean / variance);
+}
+
+std::optional<RankCorrelation> rank_correlation(std::span<const double> first, std::span<const double> second,
+                                                double level) {
+    FF_EXPECT(first.size() == second.size());
+    const std::size_t n = first.size();
+    if (n < fewest_ranked) return std::nullopt;
+    double agreement = 0;
+    double of_first = 0;
+    double of_second = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            const int a = sign_of(first[i] - first[j]);
+            const int b = sign_of(second[i] - second[j]);
+            agreement += a * b;
+            of_first += a * a;
+            of_second += b * b;
+        }
+    }
+    if (of_first == 0 || of_second == 0) return std::nullopt;
+    RankCorrelation found;
+    found.tau = agreement / std::sqrt(of_first * of_second);
+    const double z = normal_critical((1 - level) / 2);
+    const double c = 2 * z * z / static_cast<double>(n);
+    const double reach = std::sqrt(c * (1 + c - found.tau * found.tau));
+    found.interval = {.low = (found.tau - reach) / (1 + c),
+                      .high = (found.tau + reach) / (1 + c),
+                      .level = level,
+                      .method = "kendall_bound",
+                      .n = n};
+    return found;
 }
 
 }  // namespace ff::stats
