@@ -19,10 +19,10 @@
 #include "studies/gates/gate_run.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/run/parallel.hpp"
-#include "studies/verdicts/at_gate.hpp"
 #include "studies/verdicts/bands_file.hpp"
+#include "studies/verdicts/gate.hpp"
+#include "studies/verdicts/gate_result.hpp"
 #include "studies/verdicts/reported/estimate_gates.hpp"
-#include "studies/verdicts/seed_sweep.hpp"
 
 #include <fmt/format.h>
 

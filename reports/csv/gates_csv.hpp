@@ -1,7 +1,6 @@
 #pragma once
 
 #include "studies/verdicts/gate_result.hpp"
-#include "studies/verdicts/seed_sweep.hpp"
 
 #include <ostream>
 #include <span>

@@ -3,7 +3,6 @@
 #include "reports/text/text_style.hpp"
 #include "studies/verdicts/gate_result.hpp"
 #include "studies/verdicts/reported/estimate_gates.hpp"
-#include "studies/verdicts/seed_sweep.hpp"
 
 #include <cstddef>
 #include <span>

@@ -5,7 +5,6 @@
 #include "studies/gates/gate_run.hpp"
 #include "studies/theory/known_variance.hpp"
 #include "studies/verdicts/measurement.hpp"
-#include "studies/verdicts/needed_trials.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "samplers/outside/outside_points.hpp"
 #include "samplers/point_sets/set_of_rows.hpp"
 #include "studies/outside/outside_code.hpp"
-#include "studies/point_files/content.hpp"
+#include "studies/point_files/file_sampler.hpp"
 #include "studies/readers/printable.hpp"
 
 #include <ffstudy/plugin.h>

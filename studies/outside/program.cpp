@@ -1,7 +1,7 @@
 #include "studies/outside/program.hpp"
 
 #include "core/support/error.hpp"
-#include "studies/point_files/content.hpp"
+#include "studies/point_files/file_sampler.hpp"
 #include "studies/readers/printable.hpp"
 
 #include <fmt/format.h>

@@ -22,23 +22,14 @@ namespace ff::studies {
 /// @throws UserError with origin, and set, point and coordinate or the line
 samplers::PointSet parse_points(std::string_view bytes, const std::string& origin);
 
-// One function per format.
-bool is_npy(std::string_view bytes);
-samplers::PointSet parse_npy(std::string_view bytes, const std::string& origin);
-bool is_raw(std::string_view bytes);
 /// Total bytes of a raw set, from its beginning; for anything else, the bytes at hand.
 std::uint64_t raw_size(std::string_view beginning);
-samplers::PointSet parse_raw(std::string_view bytes, const std::string& origin);
+
+// LDData.
 bool is_ld_data(std::string_view text);
 samplers::PointSet parse_ld_data(std::string_view text, const std::string& origin);
 /// Powers of 2 below the size of a set such that its first points are spread as evenly in every coordinate as the whole
 /// set: one in each interval.
 std::vector<std::uint64_t> nested_sizes(const samplers::PointSet& set);
-
-/// x * 2^32. @throws UserError unless 0 <= x < 1, with the place counted from 0
-std::uint32_t fixed_point(double x, const std::string& origin, std::uint64_t set, std::uint64_t point, std::size_t d);
-
-/// @throws UserError for a size that no set has
-void expect_size(const std::string& origin, std::uint64_t sets, std::uint64_t points, std::uint64_t dimension);
 
 }  // namespace ff::studies

@@ -1,16 +1,20 @@
 #pragma once
 
 #include "core/points/stream.hpp"
+#include "core/support/error.hpp"
 #include "studies/readers/names.hpp"
-#include "studies/verdicts/known_law.hpp"
 #include "studies/verdicts/verdict.hpp"
+
+#include <fmt/format.h>
 
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace ff::studies::gates {
@@ -79,6 +83,21 @@ enum class IntervalMethod { student_t, normal, percentile_bootstrap, wilson, clo
 /// Counts hits within one trial, instead of taking the mean of several.
 bool is_binomial(IntervalMethod method);
 
+/// A continuous distribution with given parameters.
+struct KnownLaw {
+    enum class Family { uniform, normal, exponential } family = Family::uniform;
+    double first = 0;   ///< low end, mean, mean
+    double second = 1;  ///< high end, standard deviation, unused
+};
+
+/// P(X <= x).
+double cumulative(const KnownLaw& law, double x);
+
+/// Reads "normal(0, 1)", "uniform(0, 1)" or "exponential(1)"; sets `problem`, in the form "(why). Suggestion.", where
+/// it is not one of these, or where parameters are missing: if they were fitted to the tested values, critical values
+/// would change.
+std::optional<KnownLaw> parse_law(std::string_view text, std::string& problem);
+
 /// Scenes and a method, which gates on the program's own trials run (gates/gate_experiment.hpp). Judging others'
 /// reports does not need it.
 struct GateExperiment;
@@ -138,6 +157,37 @@ Levels levels_of(const Spec& spec, std::size_t comparisons);
 
 /// The same where nothing can be added to the data, as to a file, so that there is one look only.
 Levels levels_at_one_look(Spec spec, std::size_t comparisons);
+
+/// @throws UserError at the gate's place in its file
+[[noreturn]] void refuse_gate(const Gate& gate, const std::string& problem);
+
+/// @param unit  what more would be needed of
+[[noreturn]] void refuse_undecidable(const Gate& gate, std::string_view unit);
+
+/// Calls `task`, and names the gate where a statistic is out of Boost.Math's range.
+/// @throws UserError at the gate's place; anything else that `task` throws
+template <class Task>
+auto at_gate(const Gate& gate, const Task& task) {
+    const auto named = [&gate](const std::exception& error) {
+        return UserError(
+            fmt::format("{}: gate '{}' cannot be judged (a statistic is beyond what can be computed: {}). Look for "
+                        "values that are far from all others, or choose another band.",
+                        gate.place, gate.name, error.what()));
+    };
+    try {
+        return task();
+    } catch (const UserError&) {
+        throw;
+    } catch (const IoError&) {
+        throw;
+    } catch (const std::system_error&) {
+        throw;
+    } catch (const std::domain_error& error) {
+        throw named(error);
+    } catch (const std::runtime_error& error) {
+        throw named(error);
+    }
+}
 
 }  // namespace ff::studies::gates
 

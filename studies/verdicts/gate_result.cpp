@@ -1,6 +1,7 @@
 #include "studies/verdicts/gate_result.hpp"
 
 #include "core/support/contract.hpp"
+#include "stats/basics/binomial.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,16 @@ double strain(const Comparison& comparison) {
     const double below = band.low - interval.low;
     const double width = std::isfinite(band.high - band.low) ? band.high - band.low : 1.0;
     return std::max(above, below) / std::max(width, std::numeric_limits<double>::min());
+}
+
+SweepRate rate_of(std::uint64_t count, std::uint64_t seeds, double allowed) {
+    FF_EXPECT(seeds >= 1);
+    SweepRate rate;
+    rate.rate = static_cast<double>(count) / static_cast<double>(seeds);
+    rate.interval = stats::clopper_pearson_interval({.hits = count, .trials = seeds}, 0.95);
+    rate.allowed = allowed;
+    rate.exceeded = rate.interval.low > allowed;
+    return rate;
 }
 
 }  // namespace
@@ -59,6 +70,20 @@ Verdict CheckResults::verdict() const {
     Verdict verdict = complete() ? Verdict::pass : Verdict::inconclusive;
     for (const GateResult& result : results) verdict = together(verdict, result.verdict);
     return verdict;
+}
+
+void add_verdict(SeedSweep& sweep, Verdict verdict) {
+    ++sweep.seeds;
+    if (verdict == Verdict::fail) ++sweep.fails;
+    if (verdict == Verdict::inconclusive) ++sweep.inconclusive;
+}
+
+SweepRate failure_rate(const SeedSweep& sweep, const Spec& spec) {
+    return rate_of(sweep.fails, sweep.seeds, spec.alpha / static_cast<double>(spec.gates.size()));
+}
+
+SweepRate inconclusive_rate(const SeedSweep& sweep, const Spec& spec) {
+    return rate_of(sweep.inconclusive, sweep.seeds, 1 - spec.power);
 }
 
 }  // namespace ff::studies::gates

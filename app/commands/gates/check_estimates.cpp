@@ -2,7 +2,6 @@
 
 #include "core/support/error.hpp"
 #include "studies/readers/text_file.hpp"
-#include "studies/verdicts/at_gate.hpp"
 #include "studies/verdicts/reported/reported_gates.hpp"
 
 #include <fmt/format.h>

@@ -2,7 +2,6 @@
 
 #include "stats/goodness_of_fit/anderson_darling.hpp"
 #include "stats/shares/count_distance.hpp"
-#include "studies/verdicts/at_gate.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,6 @@
 
 #include "studies/verdicts/gate.hpp"
 #include "studies/verdicts/gate_result.hpp"
-#include "studies/verdicts/known_law.hpp"
 #include "studies/verdicts/reported/reported_quantity.hpp"
 
 #include <cstdint>

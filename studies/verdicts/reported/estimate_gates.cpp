@@ -8,9 +8,7 @@
 #include "stats/means/mean_interval.hpp"
 #include "stats/variances/tails.hpp"
 #include "stats/variances/variance_interval.hpp"
-#include "studies/verdicts/at_gate.hpp"
 #include "studies/verdicts/measurement.hpp"
-#include "studies/verdicts/needed_trials.hpp"
 #include "studies/verdicts/reported/distribution_gates.hpp"
 
 #include <fmt/format.h>
@@ -67,6 +65,35 @@ std::string examine_repeats(const EstimateSeries& series, const std::string& ori
         "digits; "
         "otherwise seeds repeat, and the interval is too narrow",
         repeats->in_all, values.size());
+}
+
+/// The dependence of trials, and its consequence for their mean.
+struct Independence {
+    std::optional<stats::Autocorrelation> correlation;  ///< serial correlation, if there is one
+    std::string note;                                   ///< the finding in words, if there is one
+    bool enough = true;                                 ///< enough trials to judge the cost of a correlation
+};
+
+/// Rejects a series whose trials repeat; measures serial correlation in the order of trials, with a false alarm in 5 %
+/// of independent series, which costs only power.
+/// @throws UserError where all values are equal, where real numbers with most of their digits repeat, and where the
+///         series repeats itself (by chance with a probability below 1e-6)
+Independence examine_independence(const EstimateSeries& series, const std::string& origin) {
+    Independence found;
+    found.note = examine_repeats(series, origin);
+    const auto test = stats::test_serial_correlation(series.values);
+    if (!test || test->p >= serial_alpha) return found;
+    const auto correlation = stats::autocorrelation_of(series.values);
+    if (correlation.time <= 1) return found;
+    const double effective = static_cast<double>(series.values.size()) / correlation.time;
+    found.correlation = correlation;
+    if (!found.note.empty()) found.note += "; ";
+    found.note += fmt::format(
+        "trials look serially correlated (lag 1: {:.2g}; lags 1 to {}: p = {:.1g}): {} are worth "
+        "{:.0f}",
+        test->first, test->lags, test->p, series.values.size(), effective);
+    found.enough = effective >= fewest_effective;
+    return found;
 }
 
 /// Why no interval of the mean can be believed, in words; empty where nothing speaks against one.
@@ -239,24 +266,6 @@ ExaminedSeries examine(const Spec& spec, const Gate& gate, const EstimatesFile& 
 }
 
 }  // namespace
-
-Independence examine_independence(const EstimateSeries& series, const std::string& origin) {
-    Independence found;
-    found.note = examine_repeats(series, origin);
-    const auto test = stats::test_serial_correlation(series.values);
-    if (!test || test->p >= serial_alpha) return found;
-    const auto correlation = stats::autocorrelation_of(series.values);
-    if (correlation.time <= 1) return found;
-    const double effective = static_cast<double>(series.values.size()) / correlation.time;
-    found.correlation = correlation;
-    if (!found.note.empty()) found.note += "; ";
-    found.note += fmt::format(
-        "trials look serially correlated (lag 1: {:.2g}; lags 1 to {}: p = {:.1g}): {} are worth "
-        "{:.0f}",
-        test->first, test->lags, test->p, series.values.size(), effective);
-    found.enough = effective >= fewest_effective;
-    return found;
-}
 
 EstimatesPlan plan_estimates(const Spec& spec, const Gate& gate, const EstimatesFile& file,
                              const EstimatesFile* against) {

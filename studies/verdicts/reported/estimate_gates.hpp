@@ -1,29 +1,14 @@
 #pragma once
 
-#include "stats/dependence/correlation.hpp"
 #include "studies/verdicts/gate.hpp"
 #include "studies/verdicts/gate_result.hpp"
 #include "studies/verdicts/reported/estimates_file.hpp"
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 
 namespace ff::studies::gates {
-
-/// The dependence of trials, and its consequence for their mean.
-struct Independence {
-    std::optional<stats::Autocorrelation> correlation;  ///< serial correlation, if there is one
-    std::string note;                                   ///< the finding in words, if there is one
-    bool enough = true;                                 ///< enough trials to judge the cost of a correlation
-};
-
-/// Rejects a series whose trials repeat; measures serial correlation in the order of trials, with a false alarm in 5 %
-/// of independent series, which costs only power.
-/// @throws UserError where all values are equal, where real numbers with most of their digits repeat, and where the
-///         series repeats itself (by chance with a probability below 1e-6)
-Independence examine_independence(const EstimateSeries& series, const std::string& origin);
 
 /// What a gate on a file would need.
 struct EstimatesPlan {

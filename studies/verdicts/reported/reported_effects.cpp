@@ -2,11 +2,9 @@
 
 #include "stats/basics/distributions.hpp"
 #include "stats/dependence/correlation.hpp"
-#include "studies/verdicts/at_gate.hpp"
-#include "studies/verdicts/reported/covariance.hpp"
+#include "studies/verdicts/reported/reported_bins.hpp"
 #include "studies/verdicts/reported/reported_gates.hpp"
-#include "studies/verdicts/reported/reported_shares.hpp"
-#include "studies/verdicts/reported/reported_spreads.hpp"
+#include "studies/verdicts/reported/shares_and_spreads.hpp"
 
 #include <fmt/format.h>
 

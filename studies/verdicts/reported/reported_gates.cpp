@@ -1,12 +1,11 @@
 #include "studies/verdicts/reported/reported_gates.hpp"
 
-#include "studies/verdicts/at_gate.hpp"
-#include "studies/verdicts/needed_trials.hpp"
+#include "studies/verdicts/measurement.hpp"
 #include "studies/verdicts/reported/distribution_gates.hpp"
 #include "studies/verdicts/reported/estimate_gates.hpp"
 #include "studies/verdicts/reported/reported_bins.hpp"
 #include "studies/verdicts/reported/reported_effects.hpp"
-#include "studies/verdicts/reported/reported_shares.hpp"
+#include "studies/verdicts/reported/shares_and_spreads.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 
 #include "core/support/error.hpp"
 #include "studies/verdicts/bands_file.hpp"
-#include "studies/verdicts/seed_sweep.hpp"
+#include "studies/verdicts/gate_result.hpp"
 #include "tests/support/studies.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
-#include "studies/verdicts/needed_trials.hpp"
-
 #include "studies/verdicts/measurement.hpp"
+
 #include "tests/support/statistical_assertions.hpp"
 #include "tests/unit/stats/samples.hpp"
 
