@@ -18,10 +18,6 @@ void expect_valid_counts(Proportion counts) {
     FF_EXPECT(counts.trials >= 1 && counts.hits <= counts.trials);
 }
 
-double share(Proportion counts) {
-    return static_cast<double>(counts.hits) / static_cast<double>(counts.trials);
-}
-
 Interval interval(double low, double high, double level, const char* method, Proportion counts) {
     return {.low = low, .high = high, .level = level, .method = method, .n = counts.trials};
 }
@@ -44,7 +40,7 @@ double lower_bound(Proportion counts, double tail) {
         return Binomial::find_lower_bound_on_p(static_cast<double>(counts.trials), static_cast<double>(counts.hits),
                                                tail, Binomial::clopper_pearson_exact_interval);
     } catch (const std::exception&) {
-        return bisect(share(counts), 0, tail, [&](double p) { return binomial_upper_p(counts, p); });
+        return bisect(counts.share(), 0, tail, [&](double p) { return binomial_upper_p(counts, p); });
     }
 }
 
@@ -54,7 +50,7 @@ double upper_bound(Proportion counts, double tail) {
         return Binomial::find_upper_bound_on_p(static_cast<double>(counts.trials), static_cast<double>(counts.hits),
                                                tail, Binomial::clopper_pearson_exact_interval);
     } catch (const std::exception&) {
-        return bisect(share(counts), 1, tail, [&](double p) { return binomial_lower_p(counts, p); });
+        return bisect(counts.share(), 1, tail, [&](double p) { return binomial_lower_p(counts, p); });
     }
 }
 
@@ -72,7 +68,7 @@ Interval clopper_pearson_interval(Proportion counts, double level) {
 Interval wilson_interval(Proportion counts, double level) {
     expect_valid_counts(counts);
     const double n = static_cast<double>(counts.trials);
-    const double p = share(counts);
+    const double p = counts.share();
     const double z = normal_critical((1 - level) / 2);
     const double spread = z * z / n;
     const double centre = (p + spread / 2) / (1 + spread);
@@ -85,7 +81,7 @@ Interval wilson_interval(Proportion counts, double level) {
 
 Interval wald_interval(Proportion counts, double level) {
     expect_valid_counts(counts);
-    const double p = share(counts);
+    const double p = counts.share();
     const double half = normal_critical((1 - level) / 2) * std::sqrt(p * (1 - p) / static_cast<double>(counts.trials));
     return interval_around(p, half, level, "wald", counts.trials);
 }
@@ -108,7 +104,7 @@ double binomial_lower_p(Proportion counts, double probability) {
 double binomial_two_sided_p(Proportion counts, double probability) {
     expect_valid_counts(counts);
     FF_EXPECT(0 <= probability && probability <= 1);
-    if (probability == 0 || probability == 1) return share(counts) == probability ? 1 : 0;
+    if (probability == 0 || probability == 1) return counts.share() == probability ? 1 : 0;
 
     const Binomial law(static_cast<double>(counts.trials), probability);
     const auto likelihood = [&law](std::uint64_t hits) { return pdf(law, static_cast<double>(hits)); };

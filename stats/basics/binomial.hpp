@@ -10,6 +10,9 @@ namespace ff::stats {
 struct Proportion {
     std::uint64_t hits = 0;
     std::uint64_t trials = 0;
+
+    /// @pre trials >= 1
+    [[nodiscard]] double share() const { return static_cast<double>(hits) / static_cast<double>(trials); }
 };
 
 /// Clopper-Pearson interval for a hit probability: actual coverage >= level for every p.

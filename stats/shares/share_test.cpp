@@ -96,7 +96,7 @@ double p_of_binomial_scatter(std::span<const Proportion> runs) {
         fewest = std::min(fewest, run.trials);
     }
     if (all.hits == 0 || all.hits == all.trials) return 1;
-    const double p = static_cast<double>(all.hits) / static_cast<double>(all.trials);
+    const double p = all.share();
     constexpr double enough = 5;
     if (static_cast<double>(fewest) * std::min(p, 1 - p) >= enough) {
         double dispersion = 0;

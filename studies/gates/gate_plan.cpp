@@ -34,10 +34,9 @@ void attach_baseline(const Gate& gate, const Baseline* baseline, Plan& plan) {
     plan.stored.resize(plan.effects.size());
     if (gate.against != Against::baseline || plan.purpose == GatePurpose::save_baseline) return;
     if (baseline == nullptr)
-        throw UserError(
-            fmt::format("{}: gate '{}' compares with a baseline (none is given). Add --baseline FILE, or "
-                        "make one with --save-baseline FILE.",
-                        gate.place, gate.name));
+        refuse_gate(gate, fmt::format("gate '{}' compares with a baseline (none is given). Add --baseline FILE, or "
+                                      "make one with --save-baseline FILE.",
+                                      gate.name));
     const StoredGate* stored = baseline->find(gate.name);
     if (stored == nullptr)
         throw UserError(
@@ -184,10 +183,9 @@ void expect_to_fit(const Spec& spec, const Plan& plan) {
         values += static_cast<double>(plan.trials[cell] * spec.looks) * faces * faces;
     }
     if (values <= most_values) return;
-    throw UserError(
-        fmt::format("{}: the trials would fill {:.0f} GB of memory (at most {:.0f}). Take fewer trials with "
-                    "more samples each.",
-                    gate_of(spec, plan).place, values * 8e-9, most_values * 8e-9));
+    refuse_gate(gate_of(spec, plan), fmt::format("the trials would fill {:.0f} GB of memory (at most {:.0f}). Take "
+                                                 "fewer trials with more samples each.",
+                                                 values * 8e-9, most_values * 8e-9));
 }
 
 }  // namespace
@@ -265,7 +263,7 @@ Plan prepare_gate(const Spec& spec, std::size_t index, GatePurpose purpose, cons
     try {
         plan.study = plan_study(std::move(study));
     } catch (const UserError& error) {
-        throw UserError(fmt::format("{}: {}", gate.place, error.what()));
+        refuse_gate(gate, error.what());
     }
     if (purpose == GatePurpose::save_baseline) reseed(spec, "baseline", plan.study);
     plan.deterministic = plan.study.cells.front().deterministic;
@@ -298,11 +296,9 @@ std::optional<std::uint64_t> plan_trials(const Spec& spec, Plan& plan, const Gat
         const Effect& effect = plan.effects[i];
         const auto trials = needed(gate, plan, i, noise[i]);
         if (!trials)
-            throw UserError(
-                fmt::format("{}: no number of trials can decide (the reference is too uncertain for this "
-                            "band, or the band is far below the noise). Widen the band, or save the "
-                            "baseline with a narrower one.",
-                            gate.place));
+            refuse_gate(gate,
+                        "no number of trials can decide (the reference is too uncertain for this band, or the band is "
+                        "far below the noise). Widen the band, or save the baseline with a narrower one.");
         wanted = std::max(wanted, static_cast<double>(*trials));
         for (const std::size_t c : effect.cells)
             plan.trials[c] = std::min(spec.max_trials, std::max(plan.trials[c], *trials));

@@ -27,14 +27,9 @@ double strain(const Comparison& comparison) {
     return std::max(above, below) / std::max(width, std::numeric_limits<double>::min());
 }
 
-SweepRate rate_of(std::uint64_t count, std::uint64_t seeds, double allowed) {
-    FF_EXPECT(seeds >= 1);
-    SweepRate rate;
-    rate.rate = static_cast<double>(count) / static_cast<double>(seeds);
-    rate.interval = stats::clopper_pearson_interval({.hits = count, .trials = seeds}, 0.95);
-    rate.allowed = allowed;
-    rate.exceeded = rate.interval.low > allowed;
-    return rate;
+SweepRate rate_of(const stats::Proportion& outcomes, double allowed) {
+    const auto interval = stats::clopper_pearson_interval(outcomes, 0.95);
+    return {.rate = outcomes.share(), .interval = interval, .allowed = allowed, .exceeded = interval.low > allowed};
 }
 
 }  // namespace
@@ -79,11 +74,11 @@ void add_verdict(SeedSweep& sweep, Verdict verdict) {
 }
 
 SweepRate failure_rate(const SeedSweep& sweep, const Spec& spec) {
-    return rate_of(sweep.fails, sweep.seeds, spec.alpha / static_cast<double>(spec.gates.size()));
+    return rate_of({sweep.fails, sweep.seeds}, spec.alpha / static_cast<double>(spec.gates.size()));
 }
 
 SweepRate inconclusive_rate(const SeedSweep& sweep, const Spec& spec) {
-    return rate_of(sweep.inconclusive, sweep.seeds, 1 - spec.power);
+    return rate_of({sweep.inconclusive, sweep.seeds}, 1 - spec.power);
 }
 
 }  // namespace ff::studies::gates

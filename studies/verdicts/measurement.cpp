@@ -23,13 +23,6 @@ double reach_to_fail(const Levels& levels) {
     return stats::normal_critical(levels.fail_alpha / 2) + stats::normal_critical(1 - levels.power);
 }
 
-stats::Interval around(double value, double half_width, const stats::Interval& like) {
-    stats::Interval interval = like;
-    interval.low = value - half_width;
-    interval.high = value + half_width;
-    return interval;
-}
-
 /// A ratio that lies beyond the band by this factor fails with the power.
 double beyond_by_factor(const Band& band, double log_standard_error, const Levels& levels) {
     const double factor = std::exp(reach_to_fail(levels) * log_standard_error);
@@ -114,9 +107,8 @@ Measurement measure_spread(const stats::MeanSquare& spread, double reference, co
         interval.high /= reference;
         return interval;
     };
-    Measurement measurement = measured_at(std::sqrt(spread.mean_square) / reference, levels, interval_of);
-    measurement.minimum_detectable = beyond_by_factor(band, std::sqrt(log_variance(spread)), levels);
-    return measurement;
+    return measured_at(std::sqrt(spread.mean_square) / reference, levels, interval_of,
+                       beyond_by_factor(band, std::sqrt(log_variance(spread)), levels));
 }
 
 std::optional<stats::Measured> logarithm_of_spread(std::span<const double> values, double centre,
@@ -144,22 +136,17 @@ Measurement measure_spread(const stats::MeanSquare& spread, stats::Measured loga
 Measurement measure_spread(const stats::MeanSquare& spread, const stats::MeanSquare& reference, const Band& band,
                            const Levels& levels) {
     const auto interval_of = [&](double level) { return stats::ratio_interval(spread, reference, level); };
-    Measurement measurement = measured_at(std::sqrt(spread.mean_square / reference.mean_square), levels, interval_of);
-    measurement.minimum_detectable =
-        beyond_by_factor(band, std::sqrt(log_variance(spread) + log_variance(reference)), levels);
-    return measurement;
+    return measured_at(std::sqrt(spread.mean_square / reference.mean_square), levels, interval_of,
+                       beyond_by_factor(band, std::sqrt(log_variance(spread) + log_variance(reference)), levels));
 }
 
 Measurement measure_proportion(const stats::Proportion& counts, const Band& band, const Levels& levels) {
     const auto interval_of = [&](double level) { return stats::clopper_pearson_interval(counts, level); };
-    Measurement measurement =
-        measured_at(static_cast<double>(counts.hits) / static_cast<double>(counts.trials), levels, interval_of);
     const auto deviation = [&](double p) { return std::sqrt(p * (1 - p) / static_cast<double>(counts.trials)); };
     // An upper end of 1 cannot be exceeded; then the lower one is looked beyond.
-    measurement.minimum_detectable = band.high < 1
-                                         ? std::min(1.0, band.high + reach_to_fail(levels) * deviation(band.high))
-                                         : std::max(0.0, band.low - reach_to_fail(levels) * deviation(band.low));
-    return measurement;
+    const double detectable = band.high < 1 ? std::min(1.0, band.high + reach_to_fail(levels) * deviation(band.high))
+                                            : std::max(0.0, band.low - reach_to_fail(levels) * deviation(band.low));
+    return measured_at(counts.share(), levels, interval_of, detectable);
 }
 
 std::optional<Measurement> measure_slope(std::span<const stats::Rung> ladder, const Band& band, const Levels& levels) {
@@ -169,13 +156,10 @@ std::optional<Measurement> measure_slope(std::span<const stats::Rung> ladder, co
     if (!fitted) return std::nullopt;
     const double error = fitted->interval.width() / 2 / stats::normal_critical(levels.fail_alpha / 2);
     const auto interval_of = [&](double level) {
-        stats::Interval interval = fitted->interval;
-        interval.level = level;
-        return around(fitted->rate, stats::normal_critical((1 - level) / 2) * error, interval);
+        return stats::interval_around(fitted->rate, stats::normal_critical((1 - level) / 2) * error, level,
+                                      fitted->interval.method, fitted->interval.n);
     };
-    Measurement measurement = measured_at(fitted->rate, levels, interval_of);
-    measurement.minimum_detectable = beyond(band, reach_to_fail(levels) * error);
-    return measurement;
+    return measured_at(fitted->rate, levels, interval_of, beyond(band, reach_to_fail(levels) * error));
 }
 
 void allow_for_skewness(Measurement& measurement, const stats::Measured& number, bool is_logarithm,

@@ -1,5 +1,6 @@
 #include "studies/verdicts/reported/distribution_gates.hpp"
 
+#include "stats/basics/quantiles.hpp"
 #include "stats/goodness_of_fit/anderson_darling.hpp"
 #include "stats/shares/count_distance.hpp"
 
@@ -45,12 +46,6 @@ Measurement measure(double distance, std::size_t n, const Statistic& statistic, 
             .passing = interval_at(levels.pass_alpha),
             .failing = interval_at(levels.fail_alpha / 2),
             .minimum_detectable = std::numeric_limits<double>::infinity()};
-}
-
-std::vector<double> sorted(std::span<const double> values) {
-    std::vector<double> copy(values.begin(), values.end());
-    std::sort(copy.begin(), copy.end());
-    return copy;
 }
 
 /// Half of the risk for each of two samples.
@@ -118,8 +113,8 @@ Measurement measure_distribution(std::span<const double> values, const KnownLaw&
 }
 
 Measurement measure_distributions(std::span<const double> first, std::span<const double> second, const Levels& levels) {
-    const auto a = sorted(first);
-    const auto b = sorted(second);
+    const auto a = stats::sorted(first);
+    const auto b = stats::sorted(second);
     return measure(
         stats::kolmogorov_distance(a, b), std::min(a.size(), b.size()),
         [&](double tolerance) { return stats::anderson_darling(a, b, tolerance); },

@@ -14,10 +14,6 @@
 namespace ff::studies::gates {
 namespace {
 
-/// Places in `estimate_columns`, with names too short for the whole namespace.
-struct EstimateColumns {
-    enum Column : std::size_t { trial, quantity, estimate };
-};
 constexpr std::array<std::string_view, 3> estimate_columns{"trial", "quantity", "estimate"};
 
 /// Position of each column in a record.
@@ -47,9 +43,9 @@ EstimateHeader read_estimate_header(CsvReader& reader, std::string_view origin) 
 }
 
 Row read_row(const CsvReader& reader, const std::vector<CsvField>& record, const EstimateHeader& header) {
-    using enum EstimateColumns::Column;
-    return {.trial = read_index(reader, record[header[trial]], estimate_columns[trial]),
-            .value = read_magnitude(reader, record[header[estimate]], estimate_columns[estimate],
+    const auto [trial, quantity, estimate] = header;
+    return {.trial = read_index(reader, record[trial], "trial"),
+            .value = read_magnitude(reader, record[estimate], "estimate",
                                     "a mean of it would mean nothing). Find out why the program gave it."),
             .line = record.front().line};
 }
@@ -63,9 +59,7 @@ RowsByQuantity read_rows(CsvReader& reader, const EstimateHeader& header) {
                         fmt::format("{} cell(s) (there are {} columns). Numbers have a decimal point, and "
                                     "cells with commas stand in quotes.",
                                     record.size(), header.size()));
-        const CsvField& quantity = record[header[EstimateColumns::quantity]];
-        rows[std::string(reader.filled(quantity, estimate_columns[EstimateColumns::quantity]))].push_back(
-            read_row(reader, record, header));
+        rows[std::string(reader.filled(record[header[1]], "quantity"))].push_back(read_row(reader, record, header));
     }
     return rows;
 }

@@ -15,10 +15,6 @@
 namespace ff::studies::gates {
 namespace {
 
-double estimate(const stats::Proportion& counts) {
-    return static_cast<double>(counts.hits) / static_cast<double>(counts.trials);
-}
-
 /// The variance of a share, from a probability that is neither 0 nor 1, so that scores can be computed.
 double approximate_variance(const stats::Proportion& counts) {
     const auto n = static_cast<double>(counts.trials);
@@ -54,7 +50,7 @@ stats::ShareReference share_reference(const Gate& gate, const Bins* against, std
         reference.standard_error = gate.reference_se.value_or(0);
     } else if (against->file->holds == Holds::hits) {
         reference.counts = pooled(against->runs_of(bin));
-        reference.value = reference.counts->trials > 0 ? estimate(*reference.counts) : 0;
+        reference.value = reference.counts->trials > 0 ? reference.counts->share() : 0;
     } else {
         const MeanReference mean = mean_of(against->runs_of(bin));
         reference.value = mean.value;
@@ -104,7 +100,7 @@ void compare_shares(BinComparison& comparing, const Bins* against) {
         const double of_reference = pair.reference.counts
                                         ? approximate_variance(*pair.reference.counts)
                                         : pair.reference.standard_error * pair.reference.standard_error;
-        comparing.effects.bins.push_back({.value = estimate(pair.counts) - pair.reference.value,
+        comparing.effects.bins.push_back({.value = pair.counts.share() - pair.reference.value,
                                           .error = std::sqrt(approximate_variance(pair.counts) + of_reference),
                                           .freedom = static_cast<double>(pair.counts.trials),
                                           .band = band_beside(comparing, bin, pair.reference.value),
