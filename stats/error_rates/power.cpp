@@ -3,7 +3,6 @@
 #include "core/support/contract.hpp"
 #include "stats/basics/distributions.hpp"
 
-#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/special_functions/gamma.hpp>
@@ -129,10 +128,9 @@ std::size_t trials_for_equivalence(double margin, double sigma, Risks risks, std
 
 double detectable_deviation(std::size_t cells, std::uint64_t draws, Risks risks) {
     FF_EXPECT(cells >= 2 && draws >= 1);
-    namespace math = boost::math;
     const auto freedom = static_cast<double>(cells - 1);
-    const double critical = quantile(complement(math::chi_squared(freedom), risks.alpha));
-    const double noncentrality = math::non_central_chi_squared::find_non_centrality(freedom, critical, 1 - risks.power);
+    const double noncentrality = boost::math::non_central_chi_squared::find_non_centrality(
+        freedom, chi_squared_critical(freedom, risks.alpha), 1 - risks.power);
     return std::sqrt(noncentrality / static_cast<double>(draws));
 }
 

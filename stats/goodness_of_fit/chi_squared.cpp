@@ -23,15 +23,16 @@ struct Cell {
     double observed = 0;
 };
 
-/// Merges ascending cells until each expects at least `least`.
-std::vector<Cell> pool_smallest(std::vector<Cell> cells, double least) {
+/// Merges ascending cells until each expects enough.
+std::vector<Cell> pool_smallest(std::vector<Cell> cells) {
+    constexpr double enough = 5;
     std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) { return a.expected < b.expected; });
     std::vector<Cell> pooled;
     Cell open;
     for (const Cell& cell : cells) {
         open.expected += cell.expected;
         open.observed += cell.observed;
-        if (open.expected >= least) {
+        if (open.expected >= enough) {
             pooled.push_back(open);
             open = {};
         }
@@ -91,8 +92,7 @@ std::optional<QuadraticForm> combine_deviations(std::span<const double> deviatio
 }
 
 std::optional<GoodnessOfFit> test_goodness_of_fit(std::span<const std::uint64_t> counts,
-                                                  std::span<const double> probabilities, double least_expected,
-                                                  std::size_t estimated) {
+                                                  std::span<const double> probabilities) {
     FF_EXPECT(counts.size() == probabilities.size());
     FF_EXPECT(std::abs(std::accumulate(probabilities.begin(), probabilities.end(), -1.0)) < 1e-9);
     const double total = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
@@ -103,7 +103,7 @@ std::optional<GoodnessOfFit> test_goodness_of_fit(std::span<const std::uint64_t>
         if (probabilities[i] > 0) cells.push_back({total * probabilities[i], static_cast<double>(counts[i])});
         test.impossible = test.impossible || (probabilities[i] == 0 && counts[i] > 0);
     }
-    cells = pool_smallest(std::move(cells), least_expected);
+    cells = pool_smallest(std::move(cells));
     test.cells = cells.size();
     if (test.impossible) {
         test.chi_squared = {.statistic = std::numeric_limits<double>::infinity(),
@@ -111,13 +111,13 @@ std::optional<GoodnessOfFit> test_goodness_of_fit(std::span<const std::uint64_t>
                             .p = 0};
         return test;
     }
-    if (cells.size() < estimated + 2) return std::nullopt;
+    if (cells.size() < 2) return std::nullopt;
     double statistic = 0;
     for (const Cell& cell : cells) {
         const double difference = cell.observed - cell.expected;
         statistic += difference * difference / cell.expected;
     }
-    test.chi_squared = judged(statistic, cells.size() - 1 - estimated);
+    test.chi_squared = judged(statistic, cells.size() - 1);
     return test;
 }
 

@@ -30,7 +30,7 @@ std::optional<QuadraticForm> combine_deviations(std::span<const double> deviatio
                                                 double tolerance = 1e-9);
 
 /// Pearson's goodness of fit of counts to probabilities. Cells are pooled, smallest expectation first, until every
-/// expectation is at least `least_expected`. For the hits of one face it is the multinomial test of all its pairs.
+/// expectation is at least 5. For the hits of one face it is the multinomial test of all its pairs.
 struct GoodnessOfFit {
     ChiSquared chi_squared;
     std::size_t cells = 0;    ///< after pooling
@@ -38,9 +38,7 @@ struct GoodnessOfFit {
 };
 
 /// Empty where fewer than two cells remain. @pre as many counts as probabilities; these add up to 1
-/// @param estimated  parameters fitted to the counts; each costs a degree of freedom
 std::optional<GoodnessOfFit> test_goodness_of_fit(std::span<const std::uint64_t> counts,
-                                                  std::span<const double> probabilities, double least_expected = 5,
-                                                  std::size_t estimated = 0);
+                                                  std::span<const double> probabilities);
 
 }  // namespace ff::stats

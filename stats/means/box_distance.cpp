@@ -10,26 +10,20 @@
 namespace ff::stats {
 namespace {
 
-/// A square matrix, row by row.
-class Matrix {
-  public:
-    explicit Matrix(std::size_t size) : size_(size), entries_(size * size) {}
-    [[nodiscard]] std::size_t size() const { return size_; }
-    double* row(std::size_t i) { return entries_.data() + i * size_; }
-    [[nodiscard]] const double* row(std::size_t i) const { return entries_.data() + i * size_; }
+/// A square matrix of rows.
+using Matrix = std::vector<std::vector<double>>;
 
-  private:
-    std::size_t size_;
-    std::vector<double> entries_;
-};
+Matrix zeros(std::size_t size) {
+    return Matrix(size, std::vector<double>(size));
+}
 
-/// L of C = L Lᵀ. @param correlation  of which the lower half is read, and overwritten
+/// Writes L of C = L Lᵀ over the lower half of C, which alone is read; false where C is not positive definite.
 bool factorise(Matrix& correlation) {
     constexpr double rounding = 1e-12;  // of the ones on the diagonal
     for (std::size_t i = 0; i < correlation.size(); ++i) {
-        double* const row = correlation.row(i);
+        std::vector<double>& row = correlation[i];
         for (std::size_t j = 0; j <= i; ++j) {
-            const double* const other = correlation.row(j);
+            const std::vector<double>& other = correlation[j];
             double sum = row[j];
             for (std::size_t k = 0; k < j; ++k) sum -= row[k] * other[k];
             if (j < i) {
@@ -46,21 +40,21 @@ bool factorise(Matrix& correlation) {
 /// C⁻¹ = L⁻ᵀ L⁻¹.
 Matrix inverse_of(const Matrix& factor) {
     const std::size_t size = factor.size();
-    Matrix columns(size);  // row j is column j of L⁻¹
+    Matrix columns = zeros(size);  // row j is column j of L⁻¹
     for (std::size_t j = 0; j < size; ++j) {
-        double* const column = columns.row(j);
+        std::vector<double>& column = columns[j];
         for (std::size_t i = j; i < size; ++i) {
             double sum = i == j ? 1 : 0;
-            for (std::size_t k = j; k < i; ++k) sum -= factor.row(i)[k] * column[k];
-            column[i] = sum / factor.row(i)[i];
+            for (std::size_t k = j; k < i; ++k) sum -= factor[i][k] * column[k];
+            column[i] = sum / factor[i][i];
         }
     }
-    Matrix inverse(size);
+    Matrix inverse = zeros(size);
     for (std::size_t i = 0; i < size; ++i) {
         for (std::size_t j = 0; j <= i; ++j) {
             double sum = 0;
-            for (std::size_t k = i; k < size; ++k) sum += columns.row(i)[k] * columns.row(j)[k];
-            inverse.row(i)[j] = inverse.row(j)[i] = sum;
+            for (std::size_t k = i; k < size; ++k) sum += columns[i][k] * columns[j][k];
+            inverse[i][j] = inverse[j][i] = sum;
         }
     }
     return inverse;
@@ -79,9 +73,9 @@ std::optional<double> distance_to_box(std::span<const double> x, std::span<const
         if (!(covariance[i * size + i] > 0)) return std::nullopt;
         scale[i] = std::sqrt(covariance[i * size + i]);
     }
-    Matrix correlation(size);
+    Matrix correlation = zeros(size);
     for (std::size_t i = 0; i < size; ++i) {
-        for (std::size_t j = 0; j < size; ++j) correlation.row(i)[j] = covariance[i * size + j] / scale[i] / scale[j];
+        for (std::size_t j = 0; j < size; ++j) correlation[i][j] = covariance[i * size + j] / scale[i] / scale[j];
     }
     if (!factorise(correlation)) return std::nullopt;
     const Matrix precision = inverse_of(correlation);
@@ -97,7 +91,7 @@ std::optional<double> distance_to_box(std::span<const double> x, std::span<const
     }
     const auto move = [&](std::size_t i, double by) {
         step[i] += by;
-        for (std::size_t j = 0; j < size; ++j) slope[j] += by * precision.row(i)[j];
+        for (std::size_t j = 0; j < size; ++j) slope[j] += by * precision[i][j];
     };
     for (std::size_t i = 0; i < size; ++i) move(i, std::clamp(0.0, least[i], most[i]));
     constexpr int most_sweeps = 1000;
@@ -105,7 +99,7 @@ std::optional<double> distance_to_box(std::span<const double> x, std::span<const
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
         double largest = 0;
         for (std::size_t i = 0; i < size; ++i) {
-            const double by = std::clamp(step[i] - slope[i] / precision.row(i)[i], least[i], most[i]) - step[i];
+            const double by = std::clamp(step[i] - slope[i] / precision[i][i], least[i], most[i]) - step[i];
             largest = std::max(largest, std::abs(by));
             if (by != 0) move(i, by);
         }

@@ -16,15 +16,6 @@ namespace {
 
 constexpr double critical_shape = 0.5;  // index 2
 
-TailFit with_shape(double shape, double threshold, std::size_t exceedances) {
-    TailFit fit;
-    fit.shape = shape;
-    fit.exceedances = exceedances;
-    fit.threshold = threshold;
-    if (shape > 0) fit.index = 1 / shape;
-    return fit;
-}
-
 double mean_log1p(std::span<const double> excesses, double factor) {
     double sum = 0;
     for (const double excess : excesses) sum += std::log1p(factor * excess);
@@ -76,7 +67,7 @@ std::optional<double> outer_index(std::span<const double> values) {
     std::vector<double> distances(values.begin(), values.end());
     for (double& distance : distances) distance = std::abs(distance - median);
     const auto tail = fit_tail_hill(distances, std::max(fewest_of_the_tail, values.size() / 10));
-    return tail && tail->shape > largest_shape ? tail->index : std::nullopt;
+    return tail && tail->shape > largest_shape ? tail->index() : std::nullopt;
 }
 
 /// Judges by the tail index of either side; from `enough` values on, both have to be shown to be above 2.
@@ -86,7 +77,7 @@ std::optional<TailDoubt> doubt_indices(std::span<const double> values, std::size
     for (int turn = 0; turn < 2; ++turn) {
         if (const auto tail = fit_tail(side)) {
             if (judge_variance(*tail, tail_alpha) == VarianceHealth::infinite)
-                return TailDoubt{infinite_variance, *tail->index, 2};
+                return TailDoubt{infinite_variance, *tail->index(), 2};
             const bool light = judge_variance(*tail, light_alpha) == VarianceHealth::finite;
             if (values.size() >= enough && !light) return TailDoubt{not_shown_finite, 0, 2};
         }
@@ -110,12 +101,12 @@ std::optional<TailFit> fit_tail(std::span<const double> values, double fraction)
     for (double& excess : excesses) excess -= threshold;
     // Ties at the threshold: too discrete to say.
     if (excesses[exceedances / 4 - 1] <= 0) return std::nullopt;
-    TailFit fit = with_shape(pareto_shape(excesses), threshold, exceedances);
+    const double shape = pareto_shape(excesses);
     const double root = std::sqrt(static_cast<double>(exceedances));
     // The asymptotic error holds for shapes above -1/2 and keeps its value there for the lightest tails.
-    fit.standard_error = (1 + std::max(fit.shape, -0.5)) / root;
-    fit.error_at_two = (1 + critical_shape) / root;
-    return fit;
+    return TailFit{.shape = shape,
+                   .standard_error = (1 + std::max(shape, -0.5)) / root,
+                   .error_at_two = (1 + critical_shape) / root};
 }
 
 std::optional<TailFit> fit_tail_hill(std::span<const double> values, std::size_t exceedances) {
@@ -128,10 +119,9 @@ std::optional<TailFit> fit_tail_hill(std::span<const double> values, std::size_t
     double sum = 0;
     for (std::size_t i = first; i < ascending.size(); ++i) sum += std::log(ascending[i] / threshold);
     const double count = static_cast<double>(exceedances);
-    TailFit fit = with_shape(sum / count, threshold, exceedances);
-    fit.standard_error = fit.shape / std::sqrt(count);
-    fit.error_at_two = critical_shape / std::sqrt(count);
-    return fit;
+    const double shape = sum / count;
+    return TailFit{
+        .shape = shape, .standard_error = shape / std::sqrt(count), .error_at_two = critical_shape / std::sqrt(count)};
 }
 
 VarianceHealth judge_variance(const TailFit& fit, double alpha) {

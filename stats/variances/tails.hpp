@@ -13,9 +13,9 @@ struct TailFit {
     double shape = 0;           ///< xi of the generalised Pareto distribution: 1 / index; <= 0 for light tails
     double standard_error = 0;  ///< error of shape: (1 + shape) / sqrt(exceedances); Hill's: shape / sqrt(exceedances)
     double error_at_two = 0;    ///< the standard error for an index of 2
-    std::size_t exceedances = 0;
-    double threshold = 0;
-    std::optional<double> index;  ///< 1 / shape; empty where shape <= 0 (lighter than any power)
+
+    /// 1 / shape; empty where shape <= 0 (lighter than any power).
+    [[nodiscard]] std::optional<double> index() const { return shape > 0 ? std::optional(1 / shape) : std::nullopt; }
 };
 
 /// Generalised Pareto fit (Zhang and Stephens [zhang2009]) to the values above the (1 - fraction) quantile. Invariant

@@ -82,7 +82,7 @@ void add_spread(std::span<const double> values, const stats::Moments& moments, c
     summary.skewness = moments.skewness();
     summary.excess_kurtosis = moments.excess_kurtosis();
     summary.vov = moments.variance_of_variance();
-    if (const auto tail = stats::fit_tail(values)) summary.tail_index = tail->index;
+    if (const auto tail = stats::fit_tail(values)) summary.tail_index = tail->index();
     const bool constant = !summary.std || *summary.std == 0;
     if (!constant) {
         const auto jittered = request.lattice ? stats::jitter_lattice(values, *request.lattice, request.key)

@@ -21,7 +21,7 @@ std::vector<Candidate> candidates(const CellReader& cells, const Analysis& findi
             const bool pair = summary.quantity.kind == QuantityKind::form_factor;
             if (!pair || summary.variance != VarianceStatus::finite) continue;
             const auto fit = stats::fit_tail(estimates.values(summary.quantity));
-            if (fit && fit->index) found.push_back({{cell.cell, summary.quantity, *fit->index}, *fit});
+            if (fit && fit->index()) found.push_back({{cell.cell, summary.quantity, *fit->index()}, *fit});
         }
     }
     return found;

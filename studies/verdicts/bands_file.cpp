@@ -123,27 +123,20 @@ Band read_band(const TomlReader& reader, const Gate& gate) {
     return band;
 }
 
-/// Keys that only some kinds accept.
-struct OwnKey {
-    std::string_view key;
-    std::vector<GateKind> kinds;
-};
-const std::vector<OwnKey>& own_keys() {
-    using enum GateKind;
-    static const std::vector<OwnKey> keys{{"pairs", {bias, std, rmse, reciprocity, coverage, slope, efficiency}},
-                                          {"expected", {slope}},
-                                          {"interval", {coverage}},
-                                          {"level", {coverage}},
-                                          {"replicates", {coverage}},
-                                          {"detects", {lost_rays}},
-                                          {"reference", {bias, std, rmse, efficiency, distribution}},
-                                          {"reference_se", {bias}},
-                                          {"kurtosis", {std, efficiency}}};
-    return keys;
-}
-
+/// Refuses a key that only other kinds accept.
 void expect_own_keys(const TomlReader& reader, GateKind kind) {
-    for (const auto& [key, kinds] : own_keys()) {
+    using enum GateKind;
+    static const std::vector<std::pair<std::string_view, std::vector<GateKind>>> own_keys{
+        {"pairs", {bias, std, rmse, reciprocity, coverage, slope, efficiency}},
+        {"expected", {slope}},
+        {"interval", {coverage}},
+        {"level", {coverage}},
+        {"replicates", {coverage}},
+        {"detects", {lost_rays}},
+        {"reference", {bias, std, rmse, efficiency, distribution}},
+        {"reference_se", {bias}},
+        {"kurtosis", {std, efficiency}}};
+    for (const auto& [key, kinds] : own_keys) {
         if (!reader.has(key) || std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) continue;
         std::vector<std::string_view> names;
         for (const GateKind other : kinds) names.push_back(name(other));
