@@ -3,7 +3,7 @@
 #include "stats/basics/interval.hpp"
 #include "stats/dependence/correlation.hpp"
 #include "stats/gates/skewed_reach.hpp"
-#include "stats/means/two_stage.hpp"
+#include "stats/means/mean_interval.hpp"
 
 #include <cstddef>
 #include <functional>

@@ -4,7 +4,7 @@
 #include "stats/basics/moments.hpp"
 #include "stats/basics/quantiles.hpp"
 #include "stats/goodness_of_fit/anderson_darling.hpp"
-#include "stats/means/two_stage.hpp"
+#include "stats/means/mean_interval.hpp"
 #include "stats/variances/tails.hpp"
 #include "stats/variances/variance_interval.hpp"
 

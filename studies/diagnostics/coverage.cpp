@@ -5,7 +5,6 @@
 #include "stats/basics/distributions.hpp"
 #include "stats/error_rates/multiplicity.hpp"
 #include "stats/means/mean_interval.hpp"
-#include "stats/means/two_stage.hpp"
 #include "studies/analysis/class_error.hpp"
 #include "studies/trials/estimates.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stats/means/two_stage.hpp"
+#include "stats/means/mean_interval.hpp"
 #include "studies/store/store.hpp"
 #include "studies/trials/estimates.hpp"
 

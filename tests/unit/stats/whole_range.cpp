@@ -11,7 +11,6 @@
 #include "stats/goodness_of_fit/anderson_darling.hpp"
 #include "stats/means/mean_interval.hpp"
 #include "stats/means/mean_test.hpp"
-#include "stats/means/two_stage.hpp"
 #include "stats/variances/tails.hpp"
 #include "stats/variances/variance_interval.hpp"
 

@@ -4,7 +4,6 @@
 #include "stats/convergence/convergence.hpp"
 #include "stats/goodness_of_fit/anderson_darling.hpp"
 #include "stats/means/mean_interval.hpp"
-#include "stats/means/two_stage.hpp"
 #include "stats/variances/variance_interval.hpp"
 #include "studies/comparison/rivals.hpp"
 #include "studies/diagnostics/variance_reduction.hpp"

@@ -1,8 +1,7 @@
-#include "stats/means/two_stage.hpp"
+#include "stats/means/mean_interval.hpp"
 
 #include "stats/basics/binomial.hpp"
 #include "stats/basics/moments.hpp"
-#include "stats/means/mean_interval.hpp"
 #include "stats/means/mean_test.hpp"
 #include "tests/support/statistical_assertions.hpp"
 #include "tests/unit/stats/samples.hpp"
