@@ -161,7 +161,8 @@ Levels levels_at_one_look(Spec spec, std::size_t comparisons);
 /// @throws UserError at the gate's place in its file
 [[noreturn]] void refuse_gate(const Gate& gate, const std::string& problem);
 
-/// @param unit  what more would be needed of
+/// @throws UserError at its place: nothing that is added can decide it @param unit  what would be added, "trials" or
+/// "runs"
 [[noreturn]] void refuse_undecidable(const Gate& gate, std::string_view unit);
 
 /// Calls `task`, and names the gate where a statistic is out of Boost.Math's range.
