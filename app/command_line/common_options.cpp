@@ -2,7 +2,7 @@
 
 #include "app/command_line/command_definition.hpp"
 #include "app/process/limits.hpp"
-#include "app/terminal/messages.hpp"
+#include "app/terminal/output.hpp"
 
 #include "core/support/error.hpp"
 #include "studies/readers/text_file.hpp"

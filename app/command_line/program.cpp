@@ -3,9 +3,7 @@
 #include "app/command_line/parser.hpp"
 #include "app/process/guard.hpp"
 #include "app/process/signals.hpp"
-#include "app/terminal/messages.hpp"
 #include "app/terminal/output.hpp"
-#include "app/terminal/terminal_style.hpp"
 
 #include "app/build_info.hpp"
 

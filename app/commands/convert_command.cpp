@@ -2,7 +2,6 @@
 
 #include "app/command_line/program.hpp"
 #include "app/commands/form_factors/form_factor_run.hpp"
-#include "app/terminal/messages.hpp"
 #include "app/terminal/output.hpp"
 
 #include "core/geometry/facets.hpp"

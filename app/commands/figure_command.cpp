@@ -5,7 +5,6 @@
 #include "app/folders/result_files.hpp"
 #include "app/folders/shipped_files.hpp"
 #include "app/terminal/output.hpp"
-#include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"

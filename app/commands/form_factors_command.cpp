@@ -8,10 +8,8 @@
 #include "app/folders/shipped_files.hpp"
 #include "app/process/limits.hpp"
 #include "app/process/signals.hpp"
-#include "app/terminal/messages.hpp"
 #include "app/terminal/output.hpp"
 #include "app/terminal/progress.hpp"
-#include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/csv/scene_csv.hpp"

@@ -4,9 +4,7 @@
 #include "app/commands/form_factors/form_factor_run.hpp"
 #include "app/folders/output_folder.hpp"
 #include "app/folders/shipped_files.hpp"
-#include "app/terminal/messages.hpp"
 #include "app/terminal/output.hpp"
-#include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
 #include "core/support/words.hpp"

@@ -5,7 +5,6 @@
 #include "app/command_line/program.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/shipped_files.hpp"
-#include "app/terminal/messages.hpp"
 #include "app/terminal/output.hpp"
 
 #include "core/configurations/catalogue.hpp"

@@ -7,9 +7,7 @@
 #include "app/folders/result_files.hpp"
 #include "app/folders/shipped_files.hpp"
 #include "app/process/signals.hpp"
-#include "app/terminal/messages.hpp"
 #include "app/terminal/output.hpp"
-#include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/terminal/terminal.hpp"

@@ -7,10 +7,8 @@
 #include "app/process/limits.hpp"
 #include "app/process/processes.hpp"
 #include "app/process/signals.hpp"
-#include "app/terminal/messages.hpp"
 #include "app/terminal/output.hpp"
 #include "app/terminal/progress.hpp"
-#include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/files/output_file.hpp"

@@ -1,6 +1,6 @@
 #include "app/folders/folder_lock.hpp"
 
-#include "app/terminal/messages.hpp"
+#include "app/terminal/output.hpp"
 
 #include "core/support/error.hpp"
 

@@ -1,6 +1,6 @@
 #include "app/folders/output_folder.hpp"
 
-#include "app/terminal/messages.hpp"
+#include "app/terminal/output.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/files/output_file.hpp"

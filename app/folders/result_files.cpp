@@ -2,7 +2,7 @@
 
 #include "app/folders/picture_files.hpp"
 #include "app/process/signals.hpp"
-#include "app/terminal/messages.hpp"
+#include "app/terminal/output.hpp"
 
 #include "core/points/stream.hpp"
 #include "core/support/error.hpp"

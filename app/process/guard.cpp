@@ -1,6 +1,5 @@
 #include "app/process/guard.hpp"
 
-#include "app/terminal/messages.hpp"
 #include "app/terminal/output.hpp"
 
 #include "core/support/error.hpp"

@@ -1,7 +1,6 @@
 #include "app/terminal/progress.hpp"
 
-#include "app/terminal/messages.hpp"
-#include "app/terminal/terminal_style.hpp"
+#include "app/terminal/output.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

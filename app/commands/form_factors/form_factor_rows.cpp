@@ -2,7 +2,7 @@
 
 #include "app/process/limits.hpp"
 #include "app/process/signals.hpp"
-#include "app/terminal/messages.hpp"
+#include "app/terminal/output.hpp"
 
 #include "core/support/error.hpp"
 #include "studies/form_factors/sampled_row.hpp"

@@ -4,7 +4,6 @@
 #include "app/commands/gates/look_ledger.hpp"
 #include "app/process/signals.hpp"
 #include "app/terminal/output.hpp"
-#include "app/terminal/terminal_style.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/csv/gates_csv.hpp"
