@@ -12,7 +12,7 @@ using namespace ff::app;
 void add_commands(ProgramDefinition& program) {
     add_check_of_files(program);
     add_help(program);
-    add_hidden_commands(program, [](std::string_view) { return std::vector<Completions::Word>(); });
+    add_hidden_commands(program, [](std::string_view) { return std::vector<Listed>(); });
 }
 
 }  // namespace

@@ -3,26 +3,16 @@
 #include "app/commands/commands.hpp"
 #include "app/commands/hidden_commands.hpp"
 
-#include <string_view>
-#include <utility>
-#include <vector>
-
 namespace {
 
 using namespace ff::app;
-
-std::vector<Completions::Word> words_of_type(std::string_view type) {
-    std::vector<Completions::Word> words;
-    for (auto& [name, summary] : listed_for_type(type)) words.push_back({std::move(name), std::move(summary)});
-    return words;
-}
 
 void add_commands(ProgramDefinition& program) {
     for (const auto add : {add_form_factors, add_heat, add_convert, add_run, add_report, add_figure, add_compare,
                            add_list, add_explain, add_help, add_convergence, add_radiosity, add_enclosure, add_merge,
                            add_audit, add_check, add_points, add_check_sampler, add_built_in_studies})
         add(program);
-    add_hidden_commands(program, words_of_type);
+    add_hidden_commands(program, listed_for_type);
 }
 
 }  // namespace

@@ -7,6 +7,12 @@ namespace ff::app {
 
 // The command line as --help shows it, for man pages, completion and messages.
 
+/// A name that a command line may have, and what it means.
+struct Listed {
+    std::string name;
+    std::string summary;
+};
+
 /// An option, or an argument.
 struct OptionModel {
     std::vector<std::string> names;  ///< "-q", "--quiet"; of an argument, "STUDY"

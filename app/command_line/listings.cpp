@@ -6,14 +6,14 @@
 #include "core/configurations/families.hpp"
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
+#include "core/support/words.hpp"
 #include "samplers/outside/added.hpp"
 #include "studies/explain/descriptions.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <utility>
+#include <iterator>
 
 namespace ff::app {
 namespace {
@@ -29,12 +29,6 @@ void add_scenes(std::vector<Listed>& scenes) {
             std::find_if(all.begin(), all.end(), [&](const Configuration& c) { return c.scene_name == name; });
         scenes.push_back({std::string(name), std::string(first->summary)});
     }
-}
-
-/// "SAMPLER" for "sampler".
-bool is_in_capitals(std::string_view type, std::string_view name) {
-    return std::equal(type.begin(), type.end(), name.begin(), name.end(),
-                      [](unsigned char a, unsigned char b) { return a == std::toupper(b); });
 }
 
 std::vector<std::string_view> plurals() {
@@ -103,8 +97,8 @@ std::vector<Listed> listed_for_type(std::string_view type) {
     std::vector<Listed> words;
     for (const ListedKind& kind : listed_kinds()) {
         if (type == "KIND") words.push_back({std::string(kind.plural), fmt::format("list {}", kind.plural)});
-        if (type != "NAME" && !is_in_capitals(type, kind.name)) continue;
-        for (Listed& entry : listed(kind.plural)) words.push_back(std::move(entry));
+        if (type != "NAME" && type != in_capitals(kind.name)) continue;
+        std::ranges::move(listed(kind.plural), std::back_inserter(words));
     }
     return words;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/command_line/command_model.hpp"
+
 #include "core/configurations/catalogue.hpp"
 
 #include <string>
@@ -18,11 +20,6 @@ std::vector<ListedKind> listed_kinds();
 
 /// "samplers, estimators, scenes", for help and messages.
 std::string listed_kinds_in_words();
-
-struct Listed {
-    std::string name;
-    std::string summary;
-};
 
 /// @param plural of a kind @throws UserError where there is no such kind
 std::vector<Listed> listed(std::string_view plural);
