@@ -4,9 +4,7 @@
 #include "app/command_line/program.hpp"
 #include "app/commands/context/run_context.hpp"
 #include "app/commands/gates/check_estimates.hpp"
-#include "app/commands/gates/check_session.hpp"
 #include "app/commands/gates/gate_commands.hpp"
-#include "app/commands/gates/look_ledger.hpp"
 #include "app/folders/output_folder.hpp"
 #include "app/terminal/output.hpp"
 

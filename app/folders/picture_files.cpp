@@ -1,26 +1,69 @@
 #include "app/folders/picture_files.hpp"
 
 #include "app/folders/shipped_files.hpp"
-#include "app/process/child_process.hpp"
+#include "app/process/signals.hpp"
 #include "app/terminal/progress.hpp"
 
+#include "core/support/child_process.hpp"
 #include "core/support/error.hpp"
 #include "reports/files/output_file.hpp"
 #include "reports/pictures/drawing_request.hpp"
 
 #include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 namespace ff::app {
 namespace {
 
 constexpr std::string_view script_name = "draw_svg.mjs";
+
+/// The path of a program on PATH; empty where there is none.
+std::filesystem::path find_program(std::string_view name) {
+    const char* const search = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe): nobody sets it
+    std::string_view rest = search == nullptr ? std::string_view() : search;
+    while (!rest.empty()) {
+        const auto end = std::min(rest.find(':'), rest.size());
+        auto program = std::filesystem::path(rest.substr(0, end)) / name;
+        if (end > 0 && ::access(program.c_str(), X_OK) == 0 && std::filesystem::is_regular_file(program))
+            return program;
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return {};
+}
+
+/// Runs a program and waits for it; its output goes to stderr.
+/// @param meanwhile  called about ten times a second; may be empty
+/// @throws IoError unless it ends with exit code 0
+void run_drawing_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                         const std::function<void()>& meanwhile = {}) {
+    ChildCommand command{{program.string()}, {}};
+    command.words.insert(command.words.end(), arguments.begin(), arguments.end());
+    const pid_t child = start_child(command, {STDIN_FILENO, STDERR_FILENO, STDERR_FILENO}, ChildSignals::as_usual);
+    const OnEnd end_child([child] { ::kill(child, SIGKILL); });
+    const auto runs = [child] {
+        siginfo_t ended{};
+        return ::waitid(P_PID, static_cast<id_t>(child), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == 0;
+    };
+    while (meanwhile && runs()) {
+        meanwhile();
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    const int status = wait_for_child(child);
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+        throw IoError(
+            fmt::format("{}: failed (its message is above). Check the disk and the memory.", program.string()));
+}
 
 /// @throws UserError where there is no such program
 std::filesystem::path expect_program(std::string_view name, std::string_view package) {
@@ -40,8 +83,8 @@ void draw(const std::string& request, const std::filesystem::path& workshop,
           const std::function<void()>& meanwhile = {}) {
     const auto file = workshop / "pictures.json";
     reports::write_file(file, request);
-    run_program(expect_program("node", "nodejs"),
-                {find_template_file(script_name).string(), file.string(), workshop.string()}, meanwhile);
+    run_drawing_program(expect_program("node", "nodejs"),
+                        {find_template_file(script_name).string(), file.string(), workshop.string()}, meanwhile);
 }
 
 std::vector<std::filesystem::path> drawings_in(const std::filesystem::path& workshop) {
@@ -67,9 +110,9 @@ std::vector<std::filesystem::path> draw_all(const ResultSources& sources, const 
 void convert(const std::filesystem::path& drawing, std::string_view format, const std::filesystem::path& file) {
     // The date that stands in a PDF. NOLINTNEXTLINE(concurrency-mt-unsafe): there is one thread
     ::setenv("SOURCE_DATE_EPOCH", "0", 1);
-    run_program(expect_program("rsvg-convert", "librsvg2-bin"),
-                {"--format", std::string(format), "--dpi-x", "300", "--dpi-y", "300", "--output", file.string(),
-                 drawing.string()});
+    run_drawing_program(expect_program("rsvg-convert", "librsvg2-bin"),
+                        {"--format", std::string(format), "--dpi-x", "300", "--dpi-y", "300", "--output", file.string(),
+                         drawing.string()});
 }
 
 /// @throws UserError where it cannot be drawn in this size

@@ -2,28 +2,162 @@
 
 #include "app/command_line/program.hpp"
 #include "app/commands/context/program_context.hpp"
-#include "app/commands/gates/check_estimates.hpp"
-#include "app/commands/gates/check_session.hpp"
-#include "app/folders/output_folder.hpp"
+#include "app/process/signals.hpp"
 #include "app/terminal/output.hpp"
 
 #include "core/support/error.hpp"
 #include "reports/csv/csv_records.hpp"
+#include "reports/csv/gates_csv.hpp"
 #include "reports/files/output_file.hpp"
+#include "reports/html/gates_html.hpp"
+#include "reports/json/context_json.hpp"
+#include "reports/json/gates_json.hpp"
+#include "reports/json/gates_junit.hpp"
+#include "reports/markdown/gates_markdown.hpp"
 #include "reports/terminal/gates_terminal.hpp"
 #include "stats/basics/moments.hpp"
+#include "studies/readers/digest.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/verdicts/bands_file.hpp"
+#include "studies/verdicts/ledger.hpp"
 #include "studies/verdicts/reported/estimates_file.hpp"
 #include "studies/verdicts/reported/reported_file.hpp"
 
 #include <fmt/format.h>
 
-#include <string>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <optional>
 #include <utility>
 
 namespace ff::app {
 namespace {
+
+using studies::gates::Verdict;
+using Clock = std::chrono::steady_clock;
+
+/// Reads the ledger, applies `change` and writes it, while no other process does so.
+template <class Change>
+auto change_ledger(const std::filesystem::path& file, const Change& change) {
+    const OutputFolder lock(reports::folder_of(file), "ledger");
+    studies::gates::Ledger ledger;
+    if (std::filesystem::exists(file))
+        ledger =
+            studies::gates::parse_ledger(studies::read_text_file(file, studies::FileKind::estimates), file.string());
+    const auto result = change(ledger);
+    reports::write_file(file, studies::gates::ledger_csv(ledger));
+    return result;
+}
+
+std::filesystem::path ledger_file(const CheckCommand& command) {
+    if (!command.ledger.empty()) return command.ledger;
+    return std::filesystem::path(command.bands).replace_extension("ledger.csv");
+}
+
+/// The effect of earlier looks on this one, which is recorded before it is made: a killed one counts. Nothing is
+/// recorded where an earlier one failed, or judged the same data.
+studies::gates::NextLook begin_look(const std::filesystem::path& file, const studies::gates::LedgerLook& look,
+                                    const studies::gates::Spec& spec) {
+    return change_ledger(file, [&](studies::gates::Ledger& ledger) {
+        const auto next = next_look(ledger, look);
+        if (next.failed || next.repeated) return next;
+        static_cast<void>(studies::gates::at_look(spec, next.number));
+        ledger.push_back(look);
+        return next;
+    });
+}
+
+/// Records the verdict; without one, that the look was not made.
+void end_look(const std::filesystem::path& file, const studies::gates::LedgerLook& look,
+              std::optional<studies::gates::Verdict> verdict) {
+    change_ledger(file, [&](studies::gates::Ledger& ledger) {
+        const auto ours = std::find_if(ledger.begin(), ledger.end(), [&](const studies::gates::LedgerLook& other) {
+            return other.commit == look.commit && other.bands == look.bands && other.data == look.data;
+        });
+        if (ours == ledger.end()) return false;
+        if (verdict) {
+            ours->verdict = *verdict;
+        } else {
+            ledger.erase(ours);
+        }
+        return true;
+    });
+}
+
+/// Writes each file completely or not at all. @throws IoError
+void write_verdicts(OutputFolder& folder, const studies::gates::CheckResults& check,
+                    const reports::JunitContext& context) {
+    folder.write("verdicts.csv", [&](std::ostream& out) { reports::write_verdicts_csv(out, check); });
+    folder.write("verdicts.json", reports::verdicts_json(check));
+    folder.write("junit.xml", reports::junit_xml(check, context));
+    folder.write("summary.md", reports::gates_markdown(check));
+    folder.write("summary.html", reports::gates_html(check));
+}
+
+Verdict judge_once(const CheckSession& session) {
+    const RunGates run_others = session.prepare ? session.prepare(session.spec) : RunGates();
+    auto judged = judge_file(session.command, session.spec);
+    const auto start = Clock::now();
+    const auto out = session.out();
+    OutputFolder folder =
+        open_folder(out, {"verdicts.csv", "verdicts.json", "junit.xml", "summary.md", "summary.html", "context.json"});
+    auto context = session.context;
+    reports::JunitContext junit{context["date_utc"].substr(0, 19), context["host"], {}, {}};
+    studies::gates::CheckResults results{session.spec, {}};
+    write_verdicts(folder, results, junit);
+    session.print(reports::gates_heading(session.spec));
+    const auto add = [&](studies::gates::GateResult result, double seconds, const std::string& note) {
+        results.results.push_back(std::move(result));
+        junit.seconds.push_back(seconds);
+        junit.notes.push_back(note);
+        session.print(reports::gate_line(results.results.back(), style_of_stdout().colour));
+        if (!note.empty()) session.print(fmt::format("{:<12}  {}\n", "", note));
+    };
+    for (studies::gates::GateResult& result : judged) add(std::move(result), 0, {});
+    if (!judged.empty()) write_verdicts(folder, results, junit);
+    if (run_others) {
+        run_others([&](studies::gates::GateResult result, double seconds, const std::string& note) {
+            add(std::move(result), seconds, note);
+            write_verdicts(folder, results, junit);
+        });
+    }
+    context["seconds"] = fmt::format("{:.2f}", std::chrono::duration<double>(Clock::now() - start).count());
+    folder.write("context.json", reports::context_json(context));
+    session.print(reports::gates_summary(results));
+    session.print(fmt::format("Results: {}\n", out.string()));
+    if (session.command.json) print_verbatim(reports::verdicts_json(results));
+    return results.verdict();
+}
+
+/// One more look at a commit, with the part of alpha that earlier looks have left.
+Verdict judge_again(CheckSession& session) {
+    const auto look = describe_look(session.command, session.spec.seed.value);
+    const auto file = ledger_file(session.command);
+    const auto next = begin_look(file, look, session.spec);
+    if (next.failed) {
+        session.print(fmt::format("{}: failed at an earlier look ({}); a rerun does not take that back.\n", look.commit,
+                                  file.string()));
+        return Verdict::fail;
+    }
+    if (next.repeated) {
+        session.print(fmt::format("{}: the same data were judged before ({}): {}. Another look needs other data.\n",
+                                  look.commit, file.string(), name(next.earlier)));
+        return next.earlier;
+    }
+    const double alpha = session.spec.alpha;
+    session.spec = studies::gates::at_look(session.spec, next.number);
+    session.print(
+        fmt::format("look {} at {}: alpha {:.3g} of {:.3g}\n", next.number, look.commit, session.spec.alpha, alpha));
+    try {
+        const Verdict verdict = judge_once(session);
+        end_look(file, look, verdict);
+        return verdict;
+    } catch (const UserError&) {
+        end_look(file, look, std::nullopt);  // nothing was judged
+        throw;
+    }
+}
 
 /// Judges a bands file with gates on files only.
 ExitCode judge_files_only(const CheckCommand& command) {
@@ -42,6 +176,45 @@ ExitCode judge_files_only(const CheckCommand& command) {
 }
 
 }  // namespace
+
+studies::gates::LedgerLook describe_look(const CheckCommand& command, std::uint64_t seed) {
+    const std::string_view allowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._/-";
+    if (command.again.size() > 100 || command.again.find_first_not_of(allowed) != std::string::npos)
+        throw UserError("--again (letters, digits and ._/-, at most 100: the name of a commit). Give its hash.");
+    if (command.seed_sweep > 0 || !command.save_baseline.empty() || command.dry_run)
+        throw UserError(
+            "--again (--seed-sweep, --save-baseline and --dry-run judge no commit). Leave one of them out.");
+    studies::Digest data;
+    if (command.estimates.empty()) data.add(seed);
+    for (const auto& file : {command.estimates, command.against}) {
+        if (!file.empty()) data.add(studies::read_text_file(file, studies::FileKind::estimates));
+    }
+    studies::Digest bands;
+    bands.add(studies::read_text_file(command.bands, studies::FileKind::bands));
+    return {command.again, in_hexadecimal(bands), in_hexadecimal(data), studies::gates::Verdict::inconclusive};
+}
+
+std::filesystem::path CheckSession::out() const {
+    return command.out.empty() ? std::filesystem::path("results") / spec.name : command.out;
+}
+
+void CheckSession::print(const std::string& text) const {
+    if (command.quiet || command.json) return;
+    print_folded(text);
+    std::fflush(stdout);
+}
+
+OutputFolder open_folder(const std::filesystem::path& out, const std::vector<std::string>& files) {
+    end_on_signals(fmt::format("\nstopped early; the gates that were done are in {}.\n", out.string()));
+    return {out, "check", files};
+}
+
+ExitCode judge(CheckSession session) {
+    const Verdict verdict = session.command.again.empty() ? judge_once(session) : judge_again(session);
+    return verdict == Verdict::pass   ? ExitCode::passed
+           : verdict == Verdict::fail ? ExitCode::failed
+                                      : ExitCode::inconclusive;
+}
 
 void add_options_of_files(CommandDefinition& sub, CheckCommand& command) {
     sub.option("BANDS", command.bands, "Bands file (.toml)", {.is_required = true});
