@@ -11,7 +11,7 @@
 #include "core/support/error.hpp"
 #include "reports/csv/gates_csv.hpp"
 #include "reports/files/output_file.hpp"
-#include "reports/terminal/gates_plan.hpp"
+#include "reports/terminal/terminal.hpp"
 #include "reports/terminal/gates_terminal.hpp"
 #include "studies/gates/gate_experiment.hpp"
 #include "studies/gates/gate_run.hpp"

@@ -6,7 +6,7 @@
 #include "app/folders/output_folder.hpp"
 #include "app/terminal/output.hpp"
 
-#include "reports/files/matrix_files.hpp"
+#include "reports/files/array_files.hpp"
 #include "reports/markdown/enclosure_text.hpp"
 #include "studies/radiosity/enclosure_study.hpp"
 

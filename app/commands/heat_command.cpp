@@ -10,7 +10,7 @@
 #include "core/support/words.hpp"
 #include "reports/csv/scene_csv.hpp"
 #include "reports/html/scene_html.hpp"
-#include "reports/terminal/heat_text.hpp"
+#include "reports/terminal/scene_terminal.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/words/scene_reports.hpp"
 #include "studies/heat/flow_sampling.hpp"

@@ -6,7 +6,7 @@
 
 #include "core/support/error.hpp"
 #include "reports/files/output_file.hpp"
-#include "reports/files/point_set_files.hpp"
+#include "reports/files/array_files.hpp"
 #include "samplers/point_sets/draw_set.hpp"
 #include "studies/sampler_checks/evenness_of_set.hpp"
 #include "studies/sampler_checks/sampler_checks.hpp"

@@ -8,6 +8,7 @@
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
 #include "reports/csv/csv.hpp"
+#include "reports/files/array_files.hpp"
 #include "reports/files/matrix_files.hpp"
 #include "reports/html/html.hpp"
 #include "reports/json/context_json.hpp"

@@ -6,8 +6,7 @@
 #include "reports/html/html_view.hpp"
 #include "reports/pictures/picture_values.hpp"
 #include "reports/templates/mustache.hpp"
-#include "reports/terminal/form_factors_text.hpp"
-#include "reports/terminal/heat_text.hpp"
+#include "reports/terminal/scene_terminal.hpp"
 #include "reports/text/json_values.hpp"
 #include "reports/text/numbers.hpp"
 

@@ -15,15 +15,7 @@ namespace {
 using studies::gates::Verdict;
 
 Mark mark_of(Verdict verdict) {
-    switch (verdict) {
-        case Verdict::pass:
-            return Mark::good;
-        case Verdict::fail:
-            return Mark::bad;
-        case Verdict::inconclusive:
-            break;
-    }
-    return Mark::open;
+    return verdict == Verdict::pass ? Mark::good : verdict == Verdict::fail ? Mark::bad : Mark::open;
 }
 
 std::string faces_in_words(const studies::gates::Comparison& c) {
@@ -65,9 +57,8 @@ std::size_t name_width(const studies::gates::Spec& spec) {
 }
 
 std::string gates_heading(const studies::gates::Spec& spec) {
-    return fmt::format("{}: {} gate{}, false alarm at most {} in all, power {}, seed {}\n\n", spec.name,
-                       spec.gates.size(), spec.gates.size() == 1 ? "" : "s", brief(spec.alpha), brief(spec.power),
-                       spec.seed.value);
+    return fmt::format("{}: {}, false alarm at most {} in all, power {}, seed {}\n\n", spec.name,
+                       counted(spec.gates.size(), "gate"), brief(spec.alpha), brief(spec.power), spec.seed.value);
 }
 
 std::string gate_in_words(const studies::gates::GateResult& result) {
@@ -82,7 +73,7 @@ std::string gate_in_words(const studies::gates::GateResult& result) {
         if (!exact_value && std::isfinite(e.minimum_detectable))
             text += fmt::format("; {} would fail", brief(e.minimum_detectable));
     }
-    text += fmt::format("; {} {}{}", c.trials, c.unit, c.trials == 1 ? "" : "s");
+    text += fmt::format("; {}", counted(c.trials, c.unit));
     if (result.looks > 1) text += fmt::format(" in {} looks", result.looks);
     const std::size_t compared = std::max(result.compared, result.comparisons.size());
     if (compared > 1) text += fmt::format(", worst of {}", compared);

@@ -1,9 +1,12 @@
 #pragma once
 
 #include "reports/text/text_style.hpp"
+#include "studies/gates/gate_plan.hpp"
 #include "studies/plan/plan.hpp"
 #include "studies/results/results.hpp"
+#include "studies/verdicts/reported/estimate_gates.hpp"
 
+#include <span>
 #include <string>
 
 namespace ff::reports {
@@ -13,5 +16,9 @@ std::string terminal_summary(const studies::StudyResults& results, const TextSty
 
 /// A run's work in advance: units, trials, evaluations and expected time.
 std::string terminal_plan(const studies::StudyPlan& plan, unsigned threads, const TextStyle& style = {});
+
+/// Trials and time of each gate, and in total; for gates on a file of estimates, trials needed and available.
+std::string gates_plan(const studies::gates::Spec& spec, std::span<const studies::gates::EstimatesPlan> files,
+                       std::span<const studies::gates::Plan> plans, unsigned threads);
 
 }  // namespace ff::reports

@@ -6,7 +6,7 @@
 #include "core/support/error.hpp"
 #include "reports/csv/scene_csv.hpp"
 #include "reports/json/form_factors_json.hpp"
-#include "reports/terminal/form_factors_text.hpp"
+#include "reports/terminal/scene_terminal.hpp"
 #include "studies/form_factors/repair.hpp"
 #include "studies/form_factors/store/store.hpp"
 #include "studies/scene_files/scene_file.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/commands/form_factors/form_factor_options.hpp"
+#include "app/commands/form_factors/form_factor_run.hpp"
 #include "app/folders/output_folder.hpp"
 #include "app/process/exit_code.hpp"
 #include "app/process/processes.hpp"

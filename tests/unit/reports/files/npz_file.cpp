@@ -1,4 +1,4 @@
-#include "reports/files/npz_file.hpp"
+#include "reports/files/array_files.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
 #include "reports/latex/latex.hpp"
 
-#include "reports/latex/latex_text.hpp"
 #include "tests/unit/reports/small_study.hpp"
 
 #include <gmock/gmock.h>

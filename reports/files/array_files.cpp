@@ -1,8 +1,7 @@
-#include "reports/files/npz_file.hpp"
+#include "reports/files/array_files.hpp"
 
 #include "core/support/contract.hpp"
 #include "core/support/error.hpp"
-#include "reports/files/matrix_files.hpp"
 
 #include <fmt/format.h>
 #include <boost/crc.hpp>
@@ -12,7 +11,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <string>
+#include <sstream>
 #include <string_view>
 #include <type_traits>
 #include <vector>
@@ -21,6 +20,19 @@ namespace ff::reports {
 namespace {
 
 static_assert(std::endian::native == std::endian::little);
+
+/// What stands before the numbers of an array in NumPy's format, version 1.0. @param fortran_order, shape  as Python
+/// writes them
+std::string npy_header(std::string_view type, std::string_view fortran_order, std::string_view shape) {
+    constexpr std::size_t before = 10;  // magic, version, length of the header
+    constexpr std::size_t alignment = 64;
+    std::string header =
+        fmt::format("{{'descr': '{}', 'fortran_order': {}, 'shape': {}, }}", type, fortran_order, shape);
+    header.append((alignment - (before + header.size() + 1) % alignment) % alignment, ' ');
+    header += '\n';
+    const std::array length{static_cast<char>(header.size() % 256), static_cast<char>(header.size() / 256)};
+    return std::string("\x93NUMPY\x01\x00", 8).append(length.data(), length.size()) + header;
+}
 
 template <class Number>
 void append(std::string& bytes, Number number) {
@@ -103,7 +115,101 @@ class NpzFile {
     std::uint16_t files_ = 0;
 };
 
+using samplers::PointSet;
+
+double at(const PointSet& set, std::size_t d, std::uint64_t i) {
+    return set.row(0, d)[i] * 0x1p-32;
+}
+
+void write_npy_set(std::ostream& out, const PointSet& set) {
+    Eigen::MatrixXd matrix(static_cast<Eigen::Index>(set.points), static_cast<Eigen::Index>(set.dimension));
+    for (std::size_t d = 0; d < set.dimension; ++d) {
+        for (std::uint64_t i = 0; i < set.points; ++i)
+            matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(d)) = at(set, d, i);
+    }
+    write_npy(out, matrix);
+}
+
+void write_text(std::ostream& out, const PointSet& set, std::string_view separator) {
+    for (std::uint64_t i = 0; i < set.points; ++i) {
+        for (std::size_t d = 0; d < set.dimension; ++d)
+            out << fmt::format("{}{}", d == 0 ? "" : separator, at(set, d, i));
+        out << '\n';
+    }
+}
+
+void write_svg(std::ostream& out, const PointSet& set) {
+    constexpr int side = 240;
+    constexpr int step = side + 20;
+    const auto pairs = static_cast<int>(set.dimension) - 1;
+    out << fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{0}\" viewBox=\"0 0 {0} {0}\">\n"
+        "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+        pairs * step + 20);
+    for (int a = 0; a < pairs; ++a) {
+        for (int b = a + 1; b <= pairs; ++b) {
+            out << fmt::format(
+                "<g transform=\"translate({} {})\"><title>coordinates {} and {}</title><rect width=\"{}\" "
+                "height=\"{}\" fill=\"none\" stroke=\"gray\"/>\n",
+                20 + a * step, 20 + (b - 1) * step, a, b, side, side);
+            for (std::uint64_t i = 0; i < set.points; ++i) {
+                out << fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"1\"/>\n",
+                                   side * at(set, static_cast<std::size_t>(a), i),
+                                   side * (1 - at(set, static_cast<std::size_t>(b), i)));
+            }
+            out << "</g>\n";
+        }
+    }
+    out << "</svg>\n";
+}
+
 }  // namespace
+
+void write_matrix_market(std::ostream& out, const Eigen::MatrixXd& matrix, const std::string& comment) {
+    out << "%%MatrixMarket matrix array real general\n";
+    if (!comment.empty()) out << fmt::format("% {}\n", comment);
+    out << fmt::format("{} {}\n", matrix.rows(), matrix.cols());
+    for (const double value : matrix.reshaped()) out << fmt::format("{}\n", value);
+}
+
+std::string matrix_market(const Eigen::MatrixXd& matrix, const std::string& comment) {
+    std::ostringstream out;
+    write_matrix_market(out, matrix, comment);
+    return out.str();
+}
+
+void write_sparse_matrix_market(std::ostream& out, const Eigen::SparseMatrix<double>& matrix,
+                                const std::string& comment) {
+    const Eigen::Index entries = (matrix.coeffs() != 0).count();
+    if (4 * entries > matrix.size()) {
+        write_matrix_market(out, matrix, comment);
+        return;
+    }
+    out << "%%MatrixMarket matrix coordinate real general\n";
+    if (!comment.empty()) out << fmt::format("% {}\n", comment);
+    out << fmt::format("{} {} {}\n", matrix.rows(), matrix.cols(), entries);
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, j); entry; ++entry) {
+            if (entry.value() != 0) out << fmt::format("{} {} {}\n", entry.row() + 1, j + 1, entry.value());
+        }
+    }
+}
+
+void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix) {
+    const std::string shape = matrix.cols() == 1 ? fmt::format("({},)", matrix.rows())
+                                                 : fmt::format("({}, {})", matrix.rows(), matrix.cols());
+    out << npy_header("<f8", "True", shape);
+    for (const double value : matrix.reshaped()) {
+        const auto bytes = std::bit_cast<std::array<char, sizeof(double)>>(value);
+        out.write(bytes.data(), bytes.size());
+    }
+}
+
+std::string npy(const Eigen::MatrixXd& matrix) {
+    std::ostringstream out;
+    write_npy(out, matrix);
+    return out.str();
+}
 
 void write_sparse_npz(std::ostream& out, const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix) {
     FF_EXPECT(matrix.isCompressed());
@@ -140,6 +246,16 @@ void write_randomisations(std::ostream& out, const studies::form_factors::Matrix
     file.add("rays_of", of_pairs, std::span<const std::int32_t>(rays_of));
     file.add("values", fmt::format("({}, {})", pairs, randomisations), std::span<const float>(values));
     file.finish();
+}
+
+WritePointSet point_set_format(const std::filesystem::path& file) {
+    const std::string extension = file.extension().string();
+    if (extension == ".npy") return write_npy_set;
+    if (extension == ".csv") return [](std::ostream& out, const PointSet& set) { write_text(out, set, ","); };
+    if (extension == ".dat") return [](std::ostream& out, const PointSet& set) { write_text(out, set, " "); };
+    if (extension == ".svg") return write_svg;
+    throw UserError(
+        fmt::format("--out {} (the extension says the format). Use .npy, .csv, .dat or .svg.", file.string()));
 }
 
 }  // namespace ff::reports

@@ -9,6 +9,12 @@
 
 namespace ff::reports {
 
+/// Whether all pairs are within the tolerance; if not, which ones are outside.
+std::string form_factors_verdict(const FormFactorReport& report);
+
+/// For the terminal: methods with reasons, the matrix if small, row sums, pairs that miss the tolerance.
+std::string form_factors_text(const FormFactorReport& report, const TextStyle& style = {});
+
 /// A row per face; with more than `most` faces, those with the largest powers, as a remark says.
 Table heat_table(const HeatReport& report, std::size_t most);
 
