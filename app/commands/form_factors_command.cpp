@@ -134,17 +134,16 @@ studies::form_factors::Request request_of(const FormFactorsCommand& command) {
 }
 
 std::string in_words(const FormFactorsCommand& command) {
-    std::string of_mesh;
-    for (const std::string& option : said_of_mesh(command)) of_mesh += " --" + option;
-    return fmt::format(
-        "ffstudy form-factors {}{} --tolerance {}{} --level {}{} --seed {}{}", command.scene,
-        of_mesh + (command.zone.empty() ? "" : fmt::format(" --zone '{}'", command.zone)), command.request.tolerance,
-        (command.request.relative > 0 ? fmt::format(" --relative {}", command.request.relative) : "") +
-            (command.request.drop > 0 ? fmt::format(" --drop {}", command.request.drop) : "") +
-            (command.request.surroundings.empty() ? ""
-                                                  : fmt::format(" --surroundings {}", command.request.surroundings)),
-        command.request.level, command.whole_matrix ? " --simultaneous" : "", command.seed,
-        command.request.repair ? " --repair" : "");
+    std::string text = fmt::format("ffstudy form-factors {}", command.scene);
+    for (const std::string& option : said_of_mesh(command)) text += " --" + option;
+    if (!command.zone.empty()) text += fmt::format(" --zone '{}'", command.zone);
+    text += fmt::format(" --tolerance {}", command.request.tolerance);
+    if (command.request.relative > 0) text += fmt::format(" --relative {}", command.request.relative);
+    if (command.request.drop > 0) text += fmt::format(" --drop {}", command.request.drop);
+    if (!command.request.surroundings.empty()) text += fmt::format(" --surroundings {}", command.request.surroundings);
+    text += fmt::format(" --level {}{} --seed {}", command.request.level, command.whole_matrix ? " --simultaneous" : "",
+                        command.seed);
+    return text + (command.request.repair ? " --repair" : "");
 }
 
 /// Prints and writes what was found or loaded.
@@ -227,8 +226,7 @@ bool compute_form_factors(const FormFactorsCommand& command, studies::form_facto
     const auto seconds = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
-    std::optional<TimeLimit> limit(max_time);
-    std::optional<MemoryLimit> memory(max_memory);
+    std::optional<Limits> limits(std::in_place, max_time, max_memory);
     ProgressDisplay display(command.quiet);
     if (display.is_bar()) {
         kept.request.report = [&](const studies::form_factors::Progress& progress) {
@@ -240,8 +238,7 @@ bool compute_form_factors(const FormFactorsCommand& command, studies::form_facto
         kept.scene = studies::form_factors::with_added_faces(std::move(kept.scene), kept.request.surroundings);
     kept.matrix.faults = std::move(doubts.faults);
     display.finish();
-    limit.reset();
-    memory.reset();
+    limits.reset();
     kept.context = describe_run(in_words(command), kept.request.threads, seconds());
     return kept.matrix.interrupted && !(max_time && seconds() >= max_time->count());
 }

@@ -5,8 +5,8 @@
 #include "app/terminal/output.hpp"
 
 #include "core/support/error.hpp"
-#include "reports/files/output_file.hpp"
 #include "reports/files/array_files.hpp"
+#include "reports/files/output_file.hpp"
 #include "samplers/point_sets/draw_set.hpp"
 #include "studies/sampler_checks/evenness_of_set.hpp"
 #include "studies/sampler_checks/sampler_checks.hpp"

@@ -1,7 +1,7 @@
 #include "app/commands/run_request.hpp"
 
 #include "app/commands/context/run_context.hpp"
-#include "app/folders/grown_study.hpp"
+#include "app/folders/output_folder.hpp"
 #include "app/folders/result_files.hpp"
 #include "app/folders/shipped_files.hpp"
 #include "app/process/limits.hpp"
@@ -14,6 +14,7 @@
 #include "reports/files/output_file.hpp"
 #include "reports/terminal/terminal.hpp"
 #include "studies/results/resources.hpp"
+#include "studies/run/growth.hpp"
 #include "studies/run/measured_costs.hpp"
 #include "studies/run/record_words.hpp"
 #include "studies/run/run.hpp"
@@ -25,25 +26,31 @@
 #include <chrono>
 #include <exception>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace ff::app {
 namespace {
+
+constexpr std::string_view store_name = "results.sqlite";
 
 /// The command that gives the same results.
 std::string reproduce(const RunCommand& command, const studies::StudySpec& spec) {
     std::string text = command.convergence
                            ? studies::convergence_command(*command.convergence)
                            : fmt::format("ffstudy {} {}", command.radiosity ? "radiosity" : "run", command.study);
-    if (command.radiosity && !command.radiosity->reflectance.empty())
-        text += fmt::format(" --reflectance {}", command.radiosity->reflectance);
-    if (command.radiosity && !command.radiosity->emission.empty())
-        text += fmt::format(" --emission {}", command.radiosity->emission);
-    if (command.radiosity && command.radiosity->patch_trials)
-        text += fmt::format(" --patch-trials {}", *command.radiosity->patch_trials);
-    if (command.trials) text += fmt::format(" --trials {}", *command.trials);
-    if (command.until) text += fmt::format(" --until {}", *command.until);
-    if (command.level) text += fmt::format(" --level {}", *command.level);
+    const auto add = [&](std::string_view option, const auto& value) {
+        if (value) text += fmt::format(" --{} {}", option, *value);
+    };
+    if (command.radiosity) {
+        if (!command.radiosity->reflectance.empty())
+            text += fmt::format(" --reflectance {}", command.radiosity->reflectance);
+        if (!command.radiosity->emission.empty()) text += fmt::format(" --emission {}", command.radiosity->emission);
+        add("patch-trials", command.radiosity->patch_trials);
+    }
+    add("trials", command.trials);
+    add("until", command.until);
+    add("level", command.level);
     return text + fmt::format(" --seed {}", spec.seed.value);
 }
 
@@ -52,9 +59,19 @@ ExitCode finish_shard(const studies::Shard& shard, OutputFolder& out, bool quiet
     for (const std::string& name : usual_files()) out.remove(name);
     if (!quiet) {
         print_folded("shard {}/{} is complete: {}\nWhen all {} are: ffstudy merge FOLDER... --out FOLDER\n",
-                     shard.index, shard.count, (out.path() / "results.sqlite").string(), shard.count);
+                     shard.index, shard.count, (out.path() / store_name).string(), shard.count);
     }
     return ExitCode::passed;
+}
+
+studies::RunOptions options_of(const RunRequest& request, const Processes& processes) {
+    studies::RunOptions options;
+    options.threads = request.threads;
+    options.shard = request.shard;
+    options.process = processes.part();
+    options.stop = &stop_flag();
+    options.drop = &drop_flag();
+    return options;
 }
 
 /// The work of a process other than the first one: carries out its units and hands them over. It prints nothing: the
@@ -70,18 +87,11 @@ ExitCode assist(const Processes& processes, const RunCommand& command) {
     if (!failure && command.dry_run) return ExitCode::passed;
     const std::vector<bool> finished = processes.share_finished({});
     if (failure) std::rethrow_exception(failure);
-    studies::RunOptions options;
-    options.threads = request->threads;
-    options.shard = request->shard;
-    options.process = processes.part();
-    options.stop = &stop_flag();
-    options.drop = &drop_flag();
     // An end here would also end the first process, which saves and writes the reports.
     never_end_on_signals();
-    const TimeLimit limit(request->max_time);
-    const MemoryLimit memory(request->max_memory);
+    const Limits limits(request->max_time, request->max_memory);
     processes.assist([&] {
-        studies::carry_out_units(request->plan, finished, options,
+        studies::carry_out_units(request->plan, finished, options_of(*request, processes),
                                  [&](const studies::UnitRecord& record) { processes.send(studies::to_words(record)); });
     });
     return ExitCode::passed;
@@ -93,6 +103,86 @@ void save_study(const std::filesystem::path& file, const studies::StudySpec& spe
     }
     const OutputFolder folder(reports::folder_of(file), "study file");
     reports::write_file(file, studies::to_toml(spec));
+}
+
+std::string reused_in_words(const studies::CommonTrials& common, const std::string& difference) {
+    return fmt::format("{} of {} trials are there already, from a study that differs in {}", common.reused,
+                       common.wanted, difference);
+}
+
+void expect_wanted(const studies::CommonTrials& common, const std::filesystem::path& file,
+                   const std::string& difference) {
+    if (common.left_behind == 0) return;
+    const std::uint64_t saved = common.reused + common.left_behind;
+    throw UserError(fmt::format(
+        "{}: holds another study (differs in {}): {} of its {} trials are none of this one. Choose another --out, or "
+        "add --replace, which keeps the old store aside.",
+        file.string(), difference, common.left_behind, saved));
+}
+
+/// A name that no file has.
+std::filesystem::path place_aside(const std::filesystem::path& folder) {
+    for (int number = 1;; ++number) {
+        auto file = folder / fmt::format("results.before-{}.sqlite", number);
+        if (!std::filesystem::exists(file)) return file;
+    }
+}
+
+/// Leaves the store without a log beside it, so that it can be moved. @throws UserError where another program has it
+/// open
+studies::Store open_whole(const std::filesystem::path& file) {
+    studies::Store store = studies::Store::create_or_resume(file, studies::Store::open(file).plan());
+    if (!store.seal()) {
+        throw UserError(
+            fmt::format("{}: another program has it open. Close that one, or choose another --out.", file.string()));
+    }
+    return store;
+}
+
+/// Where a folder has the store of another study, a store of this one replaces it and begins with the trials that both
+/// share. An old store with other trials is kept beside it.
+/// @param replace  whether trials that are not part of this study may be set aside
+/// @return what is reused, in words; empty where the folder has no other study
+/// @throws UserError where trials would have to be set aside but may not; IoError
+std::string grow_study(OutputFolder& folder, const studies::StudyPlan& plan, bool replace, unsigned threads) {
+    const auto file = folder.path() / store_name;
+    if (!std::filesystem::exists(file)) return {};
+    const std::string difference = studies::difference_of_study(file, plan.spec);
+    if (difference.empty()) return {};
+    const auto grown = folder.make_workshop() / store_name;
+    studies::CommonTrials common;
+    {
+        const studies::Store stored = open_whole(file);
+        common = common_trials(stored, plan);
+        if (!replace) expect_wanted(common, file, difference);
+        studies::Store store = studies::Store::create_or_resume(grown, plan);
+        adopt(stored, file, common, store, threads);
+        studies::Context context = stored.context();
+        context.erase("command");  // that of this study follows
+        store.set_context(context);
+        store.seal();
+    }
+    std::string text = reused_in_words(common, difference);
+    if (common.left_behind > 0) {
+        const auto aside = place_aside(folder.path());
+        std::filesystem::rename(file, aside);
+        text += fmt::format("; the old store is kept as {}", aside.string());
+    }
+    std::filesystem::rename(grown, file);
+    return text;
+}
+
+/// Says in the same words what would be reused, without doing anything.
+std::string describe_growth(const std::filesystem::path& folder, const studies::StudyPlan& plan) {
+    const auto file = folder / store_name;
+    if (!std::filesystem::exists(file)) return {};
+    const std::string difference = studies::difference_of_study(file, plan.spec);
+    if (difference.empty()) return {};
+    const auto common = common_trials(studies::Store::open(file), plan);
+    return reused_in_words(common, difference) +
+           (common.left_behind == 0
+                ? ""
+                : fmt::format("; {} are none of this study, and need --replace", common.left_behind));
 }
 
 ExitCode describe_plan(const RunRequest& request, const std::filesystem::path& out) {
@@ -154,10 +244,7 @@ ExitCode run(const RunCommand& command) {
 
     const auto start = std::chrono::steady_clock::now();
     ProgressDisplay progress(command.quiet);
-    studies::RunOptions options;
-    options.threads = request.threads;
-    options.shard = request.shard;
-    options.process = processes.part();
+    studies::RunOptions options = options_of(request, processes);
     if (!processes.alone()) {
         processes.share_finished(store.finished_units());
         options.others = [&](const studies::Deliver& deliver) {
@@ -165,8 +252,6 @@ ExitCode run(const RunCommand& command) {
                 [&](std::span<const std::uint64_t> words) { return deliver(studies::from_words(words)); });
         };
     }
-    options.stop = &stop_flag();
-    options.drop = &drop_flag();
     const char* const units = request.threads == 1 ? "the work unit" : "the work units";
     stop_gracefully_on_signals(
         command.quiet
@@ -180,11 +265,9 @@ ExitCode run(const RunCommand& command) {
         progress.show(state);
         costs.add(state);
     };
-    std::optional<TimeLimit> limit(request.max_time);
-    std::optional<MemoryLimit> memory(request.max_memory);
+    std::optional<Limits> limits(std::in_place, request.max_time, request.max_memory);
     const auto outcome = studies::run_study(store, options);
-    limit.reset();
-    memory.reset();
+    limits.reset();
     progress.finish();
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     studies::Context context = store.context();
@@ -208,11 +291,10 @@ ExitCode run(const RunCommand& command) {
     if (!command.quiet && !costs.in_words().empty())
         print_folded("\nProcessor time per trial, measured: {}\n", costs.in_words());
     if (!command.quiet) print_folded("\nResults: {}\n", (out.path() / "report.html").string());
-    if (outcome == studies::RunOutcome::complete && !to_the_end) return ExitCode::interrupted;
-    if (outcome == studies::RunOutcome::complete)
-        return studies::all_reached(results.until) ? ExitCode::passed : ExitCode::inconclusive;
-    say("stopped early; what was done is saved. Run the same command again to resume.\n");
-    return ExitCode::interrupted;
+    if (outcome != studies::RunOutcome::complete)
+        say("stopped early; what was done is saved. Run the same command again to resume.\n");
+    if (outcome != studies::RunOutcome::complete || !to_the_end) return ExitCode::interrupted;
+    return studies::all_reached(results.until) ? ExitCode::passed : ExitCode::inconclusive;
 }
 
 }  // namespace ff::app

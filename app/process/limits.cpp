@@ -102,25 +102,23 @@ std::optional<std::uint64_t> resident_memory() {
     return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-TimeLimit::TimeLimit(std::optional<std::chrono::duration<double>> limit) {
-    if (!limit) return;
-    clock_ = std::jthread([limit = *limit](const std::stop_token& ended) {
-        std::mutex mutex;
-        std::condition_variable_any never;
-        std::unique_lock lock(mutex);
-        never.wait_for(lock, ended, limit, [] { return false; });
-        if (!ended.stop_requested()) ask_for_the_end();
-    });
-}
-
-MemoryLimit::MemoryLimit(std::optional<std::uint64_t> limit) {
-    const auto watch = [limit](const std::stop_token& ended) {
+Limits::Limits(std::optional<std::chrono::duration<double>> time, std::optional<std::uint64_t> memory) {
+    if (time) {
+        clock_ = std::jthread([limit = *time](const std::stop_token& ended) {
+            std::mutex mutex;
+            std::condition_variable_any never;
+            std::unique_lock lock(mutex);
+            never.wait_for(lock, ended, limit, [] { return false; });
+            if (!ended.stop_requested()) ask_for_the_end();
+        });
+    }
+    const auto watch = [memory](const std::stop_token& ended) {
         constexpr std::chrono::milliseconds pause{20};
         std::mutex mutex;
         std::condition_variable_any never;
         std::unique_lock lock(mutex);
         do {
-            const std::string reason = too_much(limit);
+            const std::string reason = too_much(memory);
             if (reason.empty()) continue;
             say("note: {}.\n", reason);
             return ask_for_the_end();
@@ -129,7 +127,7 @@ MemoryLimit::MemoryLimit(std::optional<std::uint64_t> limit) {
     try {
         watch_ = std::jthread(watch);
     } catch (const std::system_error&) {
-        if (limit) throw;  // otherwise nobody has asked for it
+        if (memory) throw;  // otherwise nobody has asked for it
     }
 }
 

@@ -21,22 +21,15 @@ std::string size_in_words(std::uint64_t bytes);
 /// Memory currently used by this process, in bytes; empty where the system does not tell.
 std::optional<std::uint64_t> resident_memory();
 
-/// Asks for an orderly end when a time is over, unless it ends before.
-class TimeLimit {
+/// During its lifetime, asks for an orderly end when a time is over, and, with a message, when this process exceeds a
+/// limit of bytes. Without that limit, it does so when the process has taken most of the machine's memory and hardly
+/// any is left, before the system kills it.
+class Limits {
   public:
-    explicit TimeLimit(std::optional<std::chrono::duration<double>> limit);
+    Limits(std::optional<std::chrono::duration<double>> time, std::optional<std::uint64_t> memory);
 
   private:
     std::jthread clock_;
-};
-
-/// Does the same, with a message, when this process exceeds a limit of bytes; without a limit, when it has taken most
-/// of the machine's memory and hardly any is left, before the system kills it.
-class MemoryLimit {
-  public:
-    explicit MemoryLimit(std::optional<std::uint64_t> limit);
-
-  private:
     std::jthread watch_;
 };
 

@@ -89,8 +89,8 @@ ExitCode assist_form_factors(const Processes& processes, const FormFactorsComman
     };
     // An end here would also end the first process, which saves and writes the matrix.
     never_end_on_signals();
-    const TimeLimit time(command.max_time ? std::optional(parse_duration(*command.max_time)) : std::nullopt);
-    const MemoryLimit memory(command.max_memory ? std::optional(parse_size(*command.max_memory)) : std::nullopt);
+    const Limits limits(command.max_time ? std::optional(parse_duration(*command.max_time)) : std::nullopt,
+                        command.max_memory ? std::optional(parse_size(*command.max_memory)) : std::nullopt);
     processes.assist([&] { kept.matrix = studies::form_factors::find_matrix(kept.scene, kept.request); });
     return ExitCode::passed;
 }
