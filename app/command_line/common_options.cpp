@@ -53,7 +53,8 @@ void add_outside_options(CommandDefinition& command, OutsideOptions& options, Ou
 }
 
 double deadline_of(const OutsideOptions& options) {
-    return options.deadline ? parse_duration(*options.deadline, "--deadline").count() : studies::usual_deadline;
+    const auto deadline = parse_duration(options.deadline, "--deadline");
+    return deadline ? deadline->count() : studies::usual_deadline;
 }
 
 void load_plugins(const OutsideOptions& options) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/command_line/command_model.hpp"
+#include "app/command_line/parser.hpp"
 
 #include "core/configurations/catalogue.hpp"
 

@@ -4,19 +4,17 @@
 
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
+#include "core/support/words.hpp"
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <memory>
-#include <set>
-#include <sstream>
 #include <string_view>
 #include <type_traits>
 #include <utility>
 #include <variant>
-#include <vector>
 
 namespace ff::app {
 namespace {
@@ -46,10 +44,7 @@ void set_rules(CLI::Option& option, const OptionRules& rules) {
     if (rules.takes_one_value) option.allow_extra_args(false);
     if (rules.is_required) option.required();
     if (rules.shows_default) option.capture_default_str();
-}
-
-/// Lets the name of an argument stand for its type, so that help says "STUDY", not "STUDY TEXT".
-void name_type_of_argument(CLI::Option& option) {
+    // The name of an argument stands for its type, so that help says "STUDY", not "STUDY TEXT".
     if (option.get_positional() && option.get_type_name() == "TEXT") option.type_name("");
 }
 
@@ -66,7 +61,6 @@ void add_command(CLI::App& app, const CommandDefinition& definition, Relations r
     for (const OptionDefinition& option : definition.options) {
         options.push_back(add_option(*command, option));
         set_rules(*options.back(), option.rules);
-        name_type_of_argument(*options.back());
     }
     // Only now do all options exist that others name.
     for (std::size_t i = 0; i < options.size(); ++i) {
@@ -97,26 +91,16 @@ std::unique_ptr<CLI::App> make_app(const ProgramDefinition& program, Relations r
 }
 
 std::string broken_into_lines(const std::string& text, std::size_t width) {
+    constexpr std::string_view blanks = " \t\n\v\f\r";
     std::string out;
     std::size_t used = 0;
-    std::istringstream words(text);
-    for (std::string word; words >> word;) {
+    for (const std::string_view word : split_words(text, blanks)) {
         const bool breaks = used > 0 && used + 1 + word.size() > width;
         if (used > 0) out += breaks ? '\n' : ' ';
         used = breaks || used == 0 ? word.size() : used + 1 + word.size();
         out += word;
     }
     return out;
-}
-
-/// Options of a set in the order of their definitions; the library keeps sets of pointers, as the heap has them.
-std::vector<const CLI::Option*> in_order(const std::set<CLI::Option*>& options, const CLI::App& command) {
-    const std::set<const CLI::Option*> wanted(options.begin(), options.end());
-    std::vector<const CLI::Option*> ordered;
-    for (const CLI::Option* option : command.get_options()) {
-        if (wanted.contains(option)) ordered.push_back(option);
-    }
-    return ordered;
 }
 
 /// What a reader is told of an option.
@@ -168,15 +152,15 @@ void lay_out_help(CLI::App& app, std::size_t columns) {
 }
 
 OptionModel model_of(const CLI::Option& option) {
-    const CLI::Formatter formatter;
     OptionModel model;
     for (const std::string& name : option.get_snames()) model.names.push_back("-" + name);
     for (const std::string& name : option.get_lnames()) model.names.push_back("--" + name);
     if (option.get_positional()) model.names.push_back(option.get_name(true));
     model.name = option.get_name();
-    model.notes = words_of(option).value;
-    model.usage = formatter.make_option_usage(&option);
-    model.description = words_of(option).description;
+    model.usage = CLI::Formatter().make_option_usage(&option);
+    OptionWords words = words_of(option);
+    model.notes = std::move(words.value);
+    model.description = std::move(words.description);
     model.delimiter = option.get_delimiter();
     model.is_argument = option.get_positional();
     model.type = model.is_argument && option.get_type_name().empty() ? model.name : option.get_type_name();
@@ -206,11 +190,13 @@ const CLI::App& given_command(const CLI::App& app) {
     return commands.empty() ? app : *commands.front();
 }
 
-/// The library's message about options that exclude each other, but only about the first two of them.
+/// The library's message about options that exclude each other, but only about the first two of them, in the order of
+/// their definitions: the library keeps sets of pointers, as the heap has them.
 std::string exclusion(const CLI::App& command) {
     for (const CLI::Option* option : command.get_options()) {
-        for (const CLI::Option* other : in_order(option->get_excludes(), command)) {
-            if (option->count() > 0 && other->count() > 0)
+        const auto excluded = option->get_excludes();
+        for (const CLI::Option* other : command.get_options()) {
+            if (option->count() > 0 && other->count() > 0 && std::ranges::count(excluded, other) > 0)
                 return fmt::format("{} excludes {}", option->get_name(), other->get_name());
         }
     }
@@ -238,11 +224,6 @@ std::string exclusion(const CLI::App& command) {
     }
 }
 
-const CommandDefinition& find_definition(const ProgramDefinition& program, const std::string& name) {
-    return *std::find_if(program.commands.begin(), program.commands.end(),
-                         [&](const CommandDefinition& command) { return command.name == name; });
-}
-
 /// The name of the command that had this one, or the word as it is.
 const char* present_name(const ProgramDefinition& program, const char* word) {
     for (const CommandDefinition& command : program.commands) {
@@ -268,7 +249,7 @@ ParsedCommandLine parse(const ProgramDefinition& program, std::span<char* const>
     const CLI::App& given = given_command(*app);
     for (const CLI::Option* option : given.get_options()) refuse_unmeant_values(model_of(*option), option->results());
     if (&given == app.get()) return {nullptr, help_of(program, "", columns)};
-    const CommandDefinition& command = find_definition(program, given.get_name());
+    const CommandDefinition& command = *std::ranges::find(program.commands, given.get_name(), &CommandDefinition::name);
     if (command.unparsed != nullptr) *command.unparsed = given.remaining();
     return {&command, {}};
 }

@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <string_view>
 
 namespace ff::app {
 namespace {
@@ -18,8 +17,8 @@ namespace {
 std::vector<std::string> long_names_of_options(const CommandModel& command) {
     std::vector<std::string> names;
     for (const OptionModel& option : command.options) {
-        std::copy_if(option.names.begin(), option.names.end(), std::back_inserter(names),
-                     [](const std::string& name) { return name.starts_with("--"); });
+        std::ranges::copy_if(option.names, std::back_inserter(names),
+                             [](const std::string& name) { return name.starts_with("--"); });
     }
     return names;
 }

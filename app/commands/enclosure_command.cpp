@@ -10,8 +10,6 @@
 #include "reports/markdown/enclosure_text.hpp"
 #include "studies/radiosity/enclosure_study.hpp"
 
-#include <fmt/format.h>
-
 #include <utility>
 
 namespace ff::app {

@@ -213,10 +213,8 @@ void expect_nothing_dropped(const studies::form_factors::KeptMatrix& kept, std::
 
 bool compute_form_factors(const FormFactorsCommand& command, studies::form_factors::KeptMatrix& kept,
                           const FindFormFactors& find) {
-    std::optional<std::chrono::duration<double>> max_time;
-    if (command.max_time) max_time = parse_duration(*command.max_time);
-    std::optional<std::uint64_t> max_memory;
-    if (command.max_memory) max_memory = parse_size(*command.max_memory);
+    const auto max_time = parse_duration(command.max_time);
+    const auto max_memory = parse_size(command.max_memory);
     studies::SceneDoubts doubts = studies::examine_scene(kept.scene);
     if (!command.quiet) {
         for (const std::string& note : doubts.notes) say("note: {}\n", note);

@@ -1,6 +1,5 @@
 #include "app/commands/hidden_commands.hpp"
 
-#include "app/command_line/parser.hpp"
 #include "app/command_line/program.hpp"
 #include "app/terminal/output.hpp"
 
@@ -16,9 +15,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 namespace ff::app {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/command_line/command_definition.hpp"
-#include "app/command_line/command_model.hpp"
+#include "app/command_line/parser.hpp"
 
 #include <functional>
 #include <string_view>

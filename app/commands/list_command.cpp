@@ -16,7 +16,6 @@
 #include "studies/explain/scene_explanation.hpp"
 #include "studies/outside/outside_code.hpp"
 #include "studies/point_files/file_sampler.hpp"
-#include "studies/readers/text_file.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
 #include <fmt/format.h>
@@ -159,7 +158,7 @@ std::vector<std::string> names_of_kind(const ListedKind& kind) {
     return names;
 }
 
-/// For each kind, the number of things and the first few names.
+/// For each kind, the number of things and the first few names; then how to see more.
 void print_kinds() {
     constexpr std::size_t shown = 3;
     for (const ListedKind& kind : listed_kinds()) {
@@ -168,6 +167,7 @@ void print_kinds() {
         names.resize(std::min(number, shown));
         print_folded("{:<15} {:>2}  {}{}\n", kind.plural, number, fmt::join(names, ", "), number > shown ? ", …" : "");
     }
+    print_folded("\nAll of a kind: 'ffstudy list samplers'. More about one: 'ffstudy explain sobol'.\n");
 }
 
 void print_kinds_as_json() {
@@ -179,12 +179,7 @@ void print_kinds_as_json() {
 ExitCode list(const ListCommand& command) {
     load_plugins(command.outside);
     if (command.name.empty()) {
-        if (command.json) {
-            print_kinds_as_json();
-            return ExitCode::passed;
-        }
-        print_kinds();
-        print_folded("\nAll of a kind: 'ffstudy list samplers'. More about one: 'ffstudy explain sobol'.\n");
+        command.json ? print_kinds_as_json() : print_kinds();
         return ExitCode::passed;
     }
     const auto rows = listed(command.name);
@@ -223,22 +218,24 @@ ExitCode explain(const ListCommand& command) {
     return ExitCode::passed;
 }
 
-}  // namespace
-
-void add_list(ProgramDefinition& program) {
-    const auto [sub, command] =
-        program.command<ListCommand>(everyday, "list", "List samplers, estimators, scenes, studies and so on", list);
-    sub.option("KIND", command.name, listed_kinds_in_words());
+void add_listing(ProgramDefinition& program, const std::string& name, const std::string& summary,
+                 ExitCode (*act)(const ListCommand&), const std::string& argument, const std::string& description) {
+    const auto [sub, command] = program.command<ListCommand>(everyday, name, summary, act);
+    sub.option(argument, command.name, description);
     sub.option("--json", command.json, "Print JSON");
     add_outside_options(sub, command.outside, OutsideCodeFrom::plugins);
 }
 
+}  // namespace
+
+void add_list(ProgramDefinition& program) {
+    add_listing(program, "list", "List samplers, estimators, scenes, studies and so on", list, "KIND",
+                listed_kinds_in_words());
+}
+
 void add_explain(ProgramDefinition& program) {
-    const auto [sub, command] =
-        program.command<ListCommand>(everyday, "explain", "Say what something is, its source, its limits", explain);
-    sub.option("NAME", command.name, "A name that 'list' shows, or a scene file");
-    sub.option("--json", command.json, "Print JSON");
-    add_outside_options(sub, command.outside, OutsideCodeFrom::plugins);
+    add_listing(program, "explain", "Say what something is, its source, its limits", explain, "NAME",
+                "A name that 'list' shows, or a scene file");
 }
 
 }  // namespace ff::app

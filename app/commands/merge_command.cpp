@@ -63,7 +63,7 @@ ExitCode merge(const MergeCommand& command) {
             units_in_words(outcome.doubled, plan.units.size(), "are in more than one store"));
     }
     const auto [results, to_the_end] = evaluate_until_stopped(store);
-    write_results(out, {store, results, templates}, usual_formats());
+    write_results(out, {store, results, templates}, usual_formats);
     if (!command.quiet) {
         print_folded("{}\nResults: {}\n", reports::terminal_summary(results, style_of_stdout()),
                      (command.out / "report.html").string());

@@ -4,9 +4,9 @@
 #include "app/command_line/program.hpp"
 #include "app/terminal/output.hpp"
 
-#include "core/support/error.hpp"
 #include "reports/files/array_files.hpp"
 #include "reports/files/output_file.hpp"
+#include "reports/text/numbers.hpp"
 #include "samplers/point_sets/draw_set.hpp"
 #include "studies/sampler_checks/evenness_of_set.hpp"
 #include "studies/sampler_checks/sampler_checks.hpp"
@@ -102,12 +102,12 @@ ExitCode check_sampler(const CheckSamplerCommand& command) {
     request.seed = command.seed;
     for (const std::string& text : command.promises) request.promises.push_back(studies::parse_promise(text));
     const auto found = studies::check_sampler(sampler, request);
-    print_folded("{}: {} points of {} coordinates, {} trial{}, seed {}\n", sampler.info.name, request.points,
-                 request.dimension, found.trials, found.trials == 1 ? "" : "s", request.seed);
+    print_folded("{}: {} points of {} coordinates, {}, seed {}\n", sampler.info.name, request.points, request.dimension,
+                 reports::counted(found.trials, "trial"), request.seed);
     print_folded(
         "A sound sampler fails with probability {} at most; in each statistical check, what is said to be seen is "
-        "missed with probability {:.2g}. Structure is looked for in {} set{}.\n\n",
-        request.alpha, 1 - request.power, found.sets, found.sets == 1 ? "" : "s");
+        "missed with probability {:.2g}. Structure is looked for in {}.\n\n",
+        request.alpha, 1 - request.power, reports::counted(found.sets, "set"));
     std::size_t width = 0;
     for (const auto& check : found.checks) width = std::max(width, check.name.size());
     bool failed = false;

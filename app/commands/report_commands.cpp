@@ -39,7 +39,8 @@ ExitCode report(const ReportCommand& command) {
     const auto file = store_of(command.results);
     const auto out = command.out.empty() ? file.parent_path() : command.out;
     const std::vector<std::string_view> named(command.formats.begin(), command.formats.end());
-    const auto formats = named.empty() ? usual_formats() : std::span<const std::string_view>(named);
+    std::span<const std::string_view> formats = usual_formats;
+    if (!named.empty()) formats = named;
     expect_formats(formats);
     std::error_code missing;
     const auto store = open_results(file);
@@ -183,7 +184,7 @@ void add_report(ProgramDefinition& program) {
         program.command<ReportCommand>(everyday, "report", "Write the reports of a finished study again", report);
     sub.option("RESULTS", command.results, "Folder of a study, or its results.sqlite", {.is_required = true});
     sub.option("--format", command.formats,
-               fmt::format("{} (default: {})", names_in_words("formats"), fmt::join(usual_formats(), ", ")),
+               fmt::format("{} (default: {})", names_in_words("formats"), fmt::join(usual_formats, ", ")),
                {.type = "FORMAT", .delimiter = ','});
     sub.option("--pictures", command.pictures,
                "Pictures for svg and pdf: names as 'ffstudy figure' lists them, or how they begin (default: all)",

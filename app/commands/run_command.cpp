@@ -286,7 +286,7 @@ ExitCode run(const RunCommand& command) {
     if (!request.shard.is_whole() && outcome == studies::RunOutcome::complete && !store.is_complete())
         return finish_shard(request.shard, out, command.quiet);
     const auto [results, to_the_end] = evaluate_until_stopped(store);
-    write_results(out, {store, results, templates}, usual_formats());
+    write_results(out, {store, results, templates}, usual_formats);
     if (!command.quiet) print_folded(reports::terminal_summary(results, style_of_stdout()));
     if (!command.quiet && !costs.in_words().empty())
         print_folded("\nProcessor time per trial, measured: {}\n", costs.in_words());

@@ -113,11 +113,9 @@ RunRequest check(const RunCommand& command, const Processes& processes) {
             "an adaptive study cannot be shared (how many trials it needs is decided on all trials of its pilots "
             "together). Leave out --shard and mpirun, or the goal.");
     }
-    if (command.max_time) request.max_time = parse_duration(*command.max_time);
-    if (command.max_memory) {
-        request.max_memory = parse_size(*command.max_memory);
-        request.threads = threads_within(request.plan, request.threads, *request.max_memory);
-    }
+    request.max_time = parse_duration(command.max_time);
+    request.max_memory = parse_size(command.max_memory);
+    if (request.max_memory) request.threads = threads_within(request.plan, request.threads, *request.max_memory);
     return request;
 }
 

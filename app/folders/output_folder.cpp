@@ -13,18 +13,18 @@
 #include <iterator>
 #include <set>
 #include <utility>
-#include <vector>
 
 namespace ff::app {
 namespace {
 
 constexpr const char* list_name = ".ffstudy.files";
 
-void make_folder(const std::filesystem::path& folder) {
+std::filesystem::path make_folder(std::filesystem::path folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
         throw IoError(fmt::format("{}: cannot be made ({}). Choose another --out.", folder.string(), error.message()));
+    return folder;
 }
 
 /// The topmost folder of this path that is not there; empty if all are.
@@ -33,11 +33,6 @@ std::filesystem::path topmost_missing(const std::filesystem::path& folder) {
     for (auto path = std::filesystem::absolute(folder); !std::filesystem::exists(path); path = path.parent_path())
         missing = path;
     return missing;
-}
-
-std::filesystem::path made(std::filesystem::path folder) {
-    make_folder(folder);
-    return folder;
 }
 
 /// Removes temporary files that a program left here when it was ended.
@@ -106,7 +101,7 @@ bool is_of_earlier_version(const std::filesystem::path& folder, const std::strin
 
 OutputFolder::OutputFolder(std::filesystem::path path, std::string owner, const std::vector<std::string>& files)
     : topmost_made_(topmost_missing(path)),
-      path_(made(std::move(path))),
+      path_(make_folder(std::move(path))),
       owner_(std::move(owner)),
       lock_(path_),
       end_([this] { leave(); }) {

@@ -7,7 +7,6 @@
 #include "core/support/child_process.hpp"
 #include "core/support/error.hpp"
 #include "reports/files/output_file.hpp"
-#include "reports/pictures/drawing_request.hpp"
 
 #include <fmt/format.h>
 #include <sys/wait.h>

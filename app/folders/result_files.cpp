@@ -18,12 +18,10 @@
 #include "reports/markdown/markdown.hpp"
 #include "reports/pictures/drawing_request.hpp"
 #include "reports/pictures/ranking_svg.hpp"
-#include "studies/results/results.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace ff::app {
 namespace {
@@ -122,7 +120,6 @@ constexpr std::array known_formats{
     KnownFormat{{"svg", "pictures/*.svg"}, expect_svg_programs, write_svg},
     KnownFormat{{"pdf", "pictures/*.pdf"}, expect_pdf_programs, write_pdf},
 };
-constexpr std::array<std::string_view, 4> of_a_run{"html", "markdown", "csv", "json"};
 
 constexpr const char* evaluated_again =
     "\nstopped while results were evaluated or written. What was found is saved: run the same command again to "
@@ -144,10 +141,6 @@ std::vector<Format> all_formats() {
     std::vector<Format> formats;
     for (const KnownFormat& each : known_formats) formats.push_back(each.format);
     return formats;
-}
-
-std::span<const std::string_view> usual_formats() {
-    return of_a_run;
 }
 
 void expect_formats(std::span<const std::string_view> formats) {

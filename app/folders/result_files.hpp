@@ -7,6 +7,7 @@
 #include "studies/results/results.hpp"
 #include "studies/store/store.hpp"
 
+#include <array>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -37,7 +38,7 @@ struct Format {
 std::vector<Format> all_formats();
 
 /// Names of the formats that every run writes; the others are made on request, by `ffstudy report`.
-std::span<const std::string_view> usual_formats();
+inline constexpr std::array<std::string_view, 4> usual_formats{"html", "markdown", "csv", "json"};
 
 /// @throws UserError for an unknown format, and for one that this machine lacks a program for
 void expect_formats(std::span<const std::string_view> formats);

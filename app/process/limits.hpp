@@ -9,11 +9,14 @@
 
 namespace ff::app {
 
-/// Reads "90", "90s", "15m", "2.5h" or "1d". @param option  that has it, for the message @throws UserError
-std::chrono::duration<double> parse_duration(std::string_view text, std::string_view option = "--max-time");
+/// Reads "90", "90s", "15m", "2.5h" or "1d"; empty where no text is given. @param option  that has it, for the message
+/// @throws UserError
+std::optional<std::chrono::duration<double>> parse_duration(const std::optional<std::string>& text,
+                                                            std::string_view option = "--max-time");
 
-/// Reads "500M" or "2G" (powers of 1024; also k and T; without a letter, bytes) as bytes. @throws UserError
-std::uint64_t parse_size(std::string_view text);
+/// Reads "500M" or "2G" (powers of 1024; also k and T; without a letter, bytes) as bytes; empty where no text is given.
+/// @throws UserError
+std::optional<std::uint64_t> parse_size(const std::optional<std::string>& text);
 
 /// "1.5 GiB"
 std::string size_in_words(std::uint64_t bytes);

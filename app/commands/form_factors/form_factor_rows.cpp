@@ -2,12 +2,9 @@
 
 #include "app/process/limits.hpp"
 #include "app/process/signals.hpp"
-#include "app/terminal/output.hpp"
 
 #include "core/support/error.hpp"
 #include "studies/form_factors/sampled_row.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
@@ -89,8 +86,7 @@ ExitCode assist_form_factors(const Processes& processes, const FormFactorsComman
     };
     // An end here would also end the first process, which saves and writes the matrix.
     never_end_on_signals();
-    const Limits limits(command.max_time ? std::optional(parse_duration(*command.max_time)) : std::nullopt,
-                        command.max_memory ? std::optional(parse_size(*command.max_memory)) : std::nullopt);
+    const Limits limits(parse_duration(command.max_time), parse_size(command.max_memory));
     processes.assist([&] { kept.matrix = studies::form_factors::find_matrix(kept.scene, kept.request); });
     return ExitCode::passed;
 }

@@ -7,8 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
-#include <string>
 
 namespace ff::app {
 namespace {
@@ -49,17 +47,6 @@ void expect_gates_on_trials(const CheckCommand& command, const Spec& spec) {
                         command.against.string(), command.estimates.string()));
 }
 
-/// The second file of trials; empty where there is none.
-std::optional<studies::gates::EstimatesFile> trials_against(const CheckCommand& command) {
-    if (command.against.empty()) return std::nullopt;
-    return studies::gates::load_estimates_file(command.against);
-}
-
-template <class File>
-const File* pointer_to(const std::optional<File>& file) {
-    return file ? &*file : nullptr;
-}
-
 /// The results of one of two functions for each gate, from the file and the one that it is compared with: `of_trials`,
 /// or `of_reports` where the header is that of means or shares.
 template <class OfTrials, class OfReports>
@@ -70,17 +57,20 @@ auto on_estimates(const CheckCommand& command, const Spec& spec, const OfTrials&
     if (!studies::gates::reports_means(text)) {
         expect_gates_on_trials(command, spec);
         const auto file = studies::gates::parse_estimates(text, origin);
-        const auto against = trials_against(command);
-        return each_on_estimates(
-            spec, [&](const studies::gates::Gate& gate) { return of_trials(spec, gate, file, pointer_to(against)); });
+        std::optional<studies::gates::EstimatesFile> against;
+        if (!command.against.empty()) against = studies::gates::load_estimates_file(command.against);
+        return each_on_estimates(spec, [&](const studies::gates::Gate& gate) {
+            return of_trials(spec, gate, file, against ? &*against : nullptr);
+        });
     }
     const auto file = studies::gates::parse_reported(text, origin, studies::gates::StandardErrors::required);
     text = {};  // a hundred megabytes, with a million bins
     std::optional<studies::gates::ReportedFile> against;
     if (!command.against.empty())
         against = studies::gates::load_reported(command.against, studies::gates::StandardErrors::optional);
-    return each_on_estimates(
-        spec, [&](const studies::gates::Gate& gate) { return of_reports(spec, gate, file, pointer_to(against)); });
+    return each_on_estimates(spec, [&](const studies::gates::Gate& gate) {
+        return of_reports(spec, gate, file, against ? &*against : nullptr);
+    });
 }
 
 }  // namespace

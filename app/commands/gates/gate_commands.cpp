@@ -19,7 +19,6 @@
 #include "studies/readers/digest.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/verdicts/bands_file.hpp"
-#include "studies/verdicts/ledger.hpp"
 #include "studies/verdicts/reported/estimates_file.hpp"
 #include "studies/verdicts/reported/reported_file.hpp"
 
