@@ -124,7 +124,7 @@ OptionWords words_of(const CLI::Option& option) {
         words.description += fmt::format(" ({})", fmt::join(CLI::detail::split(choices, ','), ", "));
     if (option.get_required() && !option.get_positional()) words.description += " (required)";
     std::string value = option.get_default_str();
-    if (value.starts_with('[') && value.ends_with(']')) value = value.substr(1, value.size() - 2);  // of a list
+    if (value.starts_with('[') && value.ends_with(']')) value = value.substr(1, value.size() - 2);  // a list
     if (!value.empty() && !is_flag) words.description += fmt::format(" (default: {})", value);
     return words;
 }

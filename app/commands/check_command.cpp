@@ -50,7 +50,6 @@ struct Check {
     std::optional<studies::gates::Baseline> baseline;
     studies::gates::GateRunOptions options;
 
-    [[nodiscard]] const studies::gates::Baseline* baseline_or_null() const { return baseline ? &*baseline : nullptr; }
     [[nodiscard]] CheckSession session(PrepareGates prepare_gates) const {
         const auto line = fmt::format("ffstudy check {} --seed {}", command.bands.string(), spec.seed.value);
         return {command, spec, describe_run(line, options.threads, 0), std::move(prepare_gates)};
@@ -75,13 +74,14 @@ Check begin(const FullCheckCommand& command) {
 
 /// Prepares all gates, so that a fault of any is found before the first is run.
 std::vector<Plan> prepare(const Check& check, GatePurpose purpose) {
+    const studies::gates::Baseline* baseline = check.baseline ? &*check.baseline : nullptr;
     std::vector<Plan> plans;
     for (std::size_t gate = 0; gate < check.spec.gates.size(); ++gate) {
         if (check.spec.gates[gate].from_estimates()) continue;
         const bool stored = check.spec.gates[gate].against == Against::baseline;
         if (purpose == GatePurpose::save_baseline && !stored) continue;
-        plans.push_back(studies::gates::at_gate(
-            check.spec.gates[gate], [&] { return prepare_gate(check.spec, gate, purpose, check.baseline_or_null()); }));
+        plans.push_back(studies::gates::at_gate(check.spec.gates[gate],
+                                                [&] { return prepare_gate(check.spec, gate, purpose, baseline); }));
     }
     return plans;
 }

@@ -97,9 +97,8 @@ ExitCode compare(const CompareCommand& command) {
         print_verbatim(reports::comparison_json(comparison) + "\n");
     } else if (!command.quiet) {
         print_folded(reports::comparison_text(comparison, style_of_stdout()));
+        if (!command.out.empty()) print_folded("\nResults: {}\n", (command.out / "comparison.html").string());
     }
-    if (!command.quiet && !command.json && !command.out.empty())
-        print_folded("\nResults: {}\n", (command.out / "comparison.html").string());
     if (comparison.count(studies::Likeness::different) > 0) return ExitCode::failed;
     return comparison.count(studies::Likeness::untestable) > 0 ? ExitCode::inconclusive : ExitCode::passed;
 }

@@ -17,11 +17,8 @@ namespace {
 
 /// Options of `ffstudy enclosure`.
 struct EnclosureCommand {
-    std::string name;
-    std::optional<std::string> mirror;
+    studies::radiosity::EnclosureRequest request;  ///< without light and seed
     RadiosityOptions light;
-    std::uint64_t rays = 1000;
-    std::uint64_t trials = 0;
     std::uint64_t seed = 1;
     std::filesystem::path out;
     bool quiet = false;
@@ -41,12 +38,8 @@ void write_enclosure_files(const std::filesystem::path& folder, const studies::r
 }
 
 ExitCode enclosure(const EnclosureCommand& command) {
-    studies::radiosity::EnclosureRequest request;
-    request.name = command.name;
-    request.mirror = command.mirror;
+    studies::radiosity::EnclosureRequest request = command.request;
     set_light(request.light, command.light);
-    request.rays = command.rays;
-    request.trials = command.trials;
     request.seed = checked_seed(command.seed);
     const studies::radiosity::EnclosureResults results = studies::radiosity::study_enclosure(request);
     const std::string text = reports::enclosure_text(request, results);
@@ -60,15 +53,17 @@ ExitCode enclosure(const EnclosureCommand& command) {
 void add_enclosure(ProgramDefinition& program) {
     const auto [sub, command] = program.command<EnclosureCommand>(
         laboratory, "enclosure", "Light where surfaces see themselves: round rooms, mirrors", enclosure);
-    sub.option("SHAPE", command.name, "cylinder:RxH, cap:RxH, cone:RxH, spheres:RxS, or cube, box:AxBxC",
+    auto& request = command.request;
+    request.rays = 1000;
+    sub.option("SHAPE", request.name, "cylinder:RxH, cap:RxH, cone:RxH, spheres:RxS, or cube, box:AxBxC",
                {.is_required = true});
-    sub.option("--mirror", command.mirror, "The face of a box that is a perfect mirror", {.type = "FACE"});
+    sub.option("--mirror", request.mirror, "The face of a box that is a perfect mirror", {.type = "FACE"});
     sub.option("--reflectance", command.light.reflectance,
                "Reflectances, each solved for separately (default: 0.1,0.5,0.9,0.99,0.999)", {.type = "LIST"});
     sub.option("--emission", command.light.emission,
                "Emitted exitance, one number or one for each surface (default: 1 on the last)", {.type = "LIST"});
-    sub.option("--trials", command.trials, "Trials of rays drawn from the exact factors (default: 0)");
-    sub.option("--rays", command.rays, "Rays from each surface in a trial", {.shows_default = true});
+    sub.option("--trials", request.trials, "Trials of rays drawn from the exact factors (default: 0)");
+    sub.option("--rays", request.rays, "Rays from each surface in a trial", {.shows_default = true});
     sub.option("--seed", command.seed, "Seed of all random numbers", {.shows_default = true});
     sub.option("--out", command.out, "Folder for enclosure.md and the matrices (default: none is written)",
                {.type = "DIR"});

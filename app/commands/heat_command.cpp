@@ -117,14 +117,16 @@ ExitCode heat(const HeatCommand& command) {
                                : studies::heat::find_flows(kept.scene, kept.matrix, materials, command.scale);
     const reports::HeatReport report{kept.scene, kept.request, materials, flows, sampled ? &*sampled : nullptr};
     if (!command.factors.quiet) print_folded(reports::heat_text(report, style_of_stdout()));
-    if (out) out->write("heat.csv", [&](std::ostream& file) { reports::write_heat_csv(file, report); });
-    if (out && command.gebhart) {
-        const auto gebhart = studies::heat::find_gebhart_factors(kept.scene, kept.matrix, materials);
-        out->write("gebhart.csv", [&](std::ostream& file) { reports::write_gebhart_csv(file, kept.scene, gebhart); });
-    }
-    if (out)
+    if (out) {
+        out->write("heat.csv", [&](std::ostream& file) { reports::write_heat_csv(file, report); });
+        if (command.gebhart) {
+            const auto gebhart = studies::heat::find_gebhart_factors(kept.scene, kept.matrix, materials);
+            out->write("gebhart.csv",
+                       [&](std::ostream& file) { reports::write_gebhart_csv(file, kept.scene, gebhart); });
+        }
         out->write("report.html", reports::scene_html(factors, warnings, &report, reports::program_label(kept.context),
                                                       find_templates({})));
+    }
     if (by_signal) return ExitCode::interrupted;
     const bool trusted = studies::form_factors::is_trusted(kept.scene, kept.matrix, kept.request.tolerance);
     return trusted && flows.within(tolerance) ? ExitCode::passed : ExitCode::inconclusive;

@@ -51,15 +51,12 @@ Completions values(const OptionModel& option, const std::string& before, std::st
     return completions;
 }
 
-const OptionModel* find_option(const CommandModel& command, std::string_view name) {
+/// The option of this name if it takes a value; else null.
+const OptionModel* option_with_value(const CommandModel& command, std::string_view name) {
     for (const OptionModel& option : command.options) {
-        if (std::find(option.names.begin(), option.names.end(), name) != option.names.end()) return &option;
+        if (option.takes_value && std::ranges::count(option.names, name) > 0) return &option;
     }
     return nullptr;
-}
-
-bool takes_value(const OptionModel* option) {
-    return option != nullptr && option->takes_value;
 }
 
 Completions options(const CommandModel& command, Words given) {
@@ -82,8 +79,7 @@ Completions of_command(const ProgramModel& program, const CommandModel& command,
         if (pending != nullptr) {
             pending = nullptr;
         } else if (word.starts_with('-')) {
-            const OptionModel* option = find_option(command, word);
-            if (takes_value(option)) pending = option;
+            pending = option_with_value(command, word);
         } else {
             ++place;
         }
@@ -91,14 +87,14 @@ Completions of_command(const ProgramModel& program, const CommandModel& command,
     if (pending != nullptr) return values(*pending, "", last, names);
     const auto equals = last.find('=');
     if (last.starts_with('-') && equals != std::string_view::npos) {
-        const OptionModel* option = find_option(command, last.substr(0, equals));
-        if (!takes_value(option)) return {};
+        const OptionModel* option = option_with_value(command, last.substr(0, equals));
+        if (option == nullptr) return {};
         return values(*option, std::string(last.substr(0, equals + 1)), last.substr(equals + 1), names);
     }
-    if (last.starts_with('-')) return options(command, given);
-    if (command.arguments.empty()) return options(command, given);
+    const bool arguments_are_given =
+        place >= command.arguments.size() && (command.arguments.empty() || !command.arguments.back().takes_many);
+    if (last.starts_with('-') || arguments_are_given) return options(command, given);
     const OptionModel& argument = command.arguments[std::min(place, command.arguments.size() - 1)];
-    if (place >= command.arguments.size() && !argument.takes_many) return options(command, given);
     if (argument.type == "COMMAND") return commands(program);
     return values(argument, "", last, names);
 }

@@ -21,10 +21,7 @@ namespace {
 
 struct PointsCommand {
     std::string sampler;
-    std::uint64_t points = 1024;
-    std::size_t dimension = 4;
-    std::uint64_t seed = 1;
-    std::uint32_t trial = 0;
+    samplers::DrawnSet set;
     OutsideOptions outside;
     std::filesystem::path out;  ///< empty: print properties of the set
 };
@@ -42,10 +39,6 @@ struct CheckSamplerCommand {
 const samplers::CatalogueEntry& sampler_of(const std::string& name, const OutsideOptions& outside) {
     load_plugins(outside);
     return studies::sampler_of_user(name, deadline_of(outside));
-}
-
-samplers::PointSet draw(const samplers::CatalogueEntry& sampler, const PointsCommand& command) {
-    return samplers::draw_set(sampler, {command.points, command.dimension, command.seed, command.trial});
 }
 
 void describe(const samplers::PointSet& set, std::uint32_t base) {
@@ -78,11 +71,12 @@ std::string_view word(studies::SamplerVerdict verdict) {
 ExitCode points(const PointsCommand& command) {
     const auto& sampler = sampler_of(command.sampler, command.outside);
     if (command.out.empty()) {
-        describe(draw(sampler, command), sampler.info.sizes == samplers::Sizes::powers ? sampler.info.base : 2);
+        describe(samplers::draw_set(sampler, command.set),
+                 sampler.info.sizes == samplers::Sizes::powers ? sampler.info.base : 2);
         return ExitCode::passed;
     }
     const auto format = reports::point_set_format(command.out);
-    const auto set = draw(sampler, command);
+    const auto set = samplers::draw_set(sampler, command.set);
     reports::write_file(command.out, [&](std::ostream& out) { format(out, set); });
     return ExitCode::passed;
 }
@@ -127,10 +121,10 @@ void add_points(ProgramDefinition& program) {
     const auto [sub, command] = program.command<PointsCommand>(
         laboratory, "points", "Write a point set, or say how evenly it is spread", points);
     sub.option("SAMPLER", command.sampler, "A sampler, file:PATH or command:PROGRAM", {.is_required = true});
-    sub.option("--n", command.points, "Points", {.shows_default = true});
-    sub.option("--d", command.dimension, "Coordinates of a point", {.shows_default = true});
-    sub.option("--seed", command.seed, "Seed of all random numbers", {.shows_default = true});
-    sub.option("--trial", command.trial, "Which of the trials, from 0", {.shows_default = true});
+    sub.option("--n", command.set.points, "Points", {.shows_default = true});
+    sub.option("--d", command.set.dimension, "Coordinates of a point", {.shows_default = true});
+    sub.option("--seed", command.set.seed, "Seed of all random numbers", {.shows_default = true});
+    sub.option("--trial", command.set.trial, "Which of the trials, from 0", {.shows_default = true});
     add_outside_options(sub, command.outside, OutsideCodeFrom::command_line);
     sub.option("--out", command.out, "File: .npy, .csv, .dat or .svg (default: none is written)", {.type = "FILE"});
 }

@@ -158,7 +158,7 @@ std::string grow_study(OutputFolder& folder, const studies::StudyPlan& plan, boo
         studies::Store store = studies::Store::create_or_resume(grown, plan);
         adopt(stored, file, common, store, threads);
         studies::Context context = stored.context();
-        context.erase("command");  // that of this study follows
+        context.erase("command");  // this study has its own
         store.set_context(context);
         store.seal();
     }
@@ -287,10 +287,11 @@ ExitCode run(const RunCommand& command) {
         return finish_shard(request.shard, out, command.quiet);
     const auto [results, to_the_end] = evaluate_until_stopped(store);
     write_results(out, {store, results, templates}, usual_formats);
-    if (!command.quiet) print_folded(reports::terminal_summary(results, style_of_stdout()));
-    if (!command.quiet && !costs.in_words().empty())
-        print_folded("\nProcessor time per trial, measured: {}\n", costs.in_words());
-    if (!command.quiet) print_folded("\nResults: {}\n", (out.path() / "report.html").string());
+    if (!command.quiet) {
+        print_folded(reports::terminal_summary(results, style_of_stdout()));
+        if (!costs.in_words().empty()) print_folded("\nProcessor time per trial, measured: {}\n", costs.in_words());
+        print_folded("\nResults: {}\n", (out.path() / "report.html").string());
+    }
     if (outcome != studies::RunOutcome::complete)
         say("stopped early; what was done is saved. Run the same command again to resume.\n");
     if (outcome != studies::RunOutcome::complete || !to_the_end) return ExitCode::interrupted;

@@ -3,6 +3,7 @@
 #include "app/terminal/output.hpp"
 
 #include "core/support/error.hpp"
+#include "reports/files/output_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/chrono.h>
@@ -56,11 +57,6 @@ std::string holder(const std::filesystem::path& file) {
     return line.empty() ? "another program" : line;
 }
 
-[[noreturn]] void fail(const std::filesystem::path& file, int error) {
-    throw IoError(fmt::format("{}: cannot be written ({}). Check the folder, its permissions and the free space.",
-                              file.string(), std::generic_category().message(error)));
-}
-
 bool is_still_there(const std::filesystem::path& file, int descriptor) {
     struct stat opened {};
     struct stat named {};
@@ -75,7 +71,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / ".f
     while (true) {
         constexpr mode_t all_that_the_user_allows = 0666;
         descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, all_that_the_user_allows);
-        if (descriptor_ < 0) fail(file_, errno);
+        if (descriptor_ < 0) reports::fail_to_write(file_, errno);
         const bool locked = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
         const int error = errno;
         if (locked && is_still_there(file_, descriptor_)) break;

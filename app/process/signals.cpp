@@ -21,7 +21,7 @@ enum class Meaning { end, stop_then_end, stop };
 struct State {
     std::atomic<bool> stop{false};
     std::atomic<bool> drop{false};
-    std::mutex mutex;  // of what follows
+    std::mutex mutex;  // guards the members below
     Meaning meaning = Meaning::end;
     bool signalled = false;
     std::string words;

@@ -50,11 +50,6 @@ class FileBuffer : public std::streambuf {
     std::array<char, 1 << 16> bytes_{};
 };
 
-[[noreturn]] void fail(const std::filesystem::path& file, int error) {
-    throw IoError(fmt::format("{}: cannot be written ({}). Check the folder, its permissions and the free space.",
-                              file.string(), error == 0 ? "output error" : std::generic_category().message(error)));
-}
-
 /// What messages of others who fill the file say; short enough for a longer name to be made of it.
 std::string shown_name(const std::filesystem::path& file) {
     constexpr std::size_t most_bytes = 100;
@@ -69,7 +64,7 @@ class Temporary {
         for (std::uint64_t number = 0; descriptor_ < 0; ++number) {
             path_ = folder_of(file_) / fmt::format("{}{}-{}", temporary_prefix, number, shown_name(file_));
             descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, all_that_the_user_allows);
-            if (descriptor_ < 0 && errno != EEXIST) fail(file_, errno);
+            if (descriptor_ < 0 && errno != EEXIST) fail_to_write(file_, errno);
         }
     }
     ~Temporary() {
@@ -84,9 +79,9 @@ class Temporary {
 
     /// Puts it in its place once all of it is on the disk.
     void deliver() {
-        if (::fsync(descriptor_) != 0) fail(file_, errno);
-        if (::close(std::exchange(descriptor_, -1)) != 0) fail(file_, errno);
-        if (::rename(path_.c_str(), file_.c_str()) != 0) fail(file_, errno);
+        if (::fsync(descriptor_) != 0) fail_to_write(file_, errno);
+        if (::close(std::exchange(descriptor_, -1)) != 0) fail_to_write(file_, errno);
+        if (::rename(path_.c_str(), file_.c_str()) != 0) fail_to_write(file_, errno);
         path_.clear();
         synchronise_folder();
     }
@@ -94,12 +89,12 @@ class Temporary {
   private:
     void synchronise_folder() const {
         const int folder = ::open(folder_of(file_).c_str(), O_RDONLY | O_CLOEXEC);
-        if (folder < 0) fail(file_, errno);
+        if (folder < 0) fail_to_write(file_, errno);
         const int status = ::fsync(folder);
         const int error = errno;
         ::close(folder);
         // Some file systems cannot synchronise a folder and say so.
-        if (status != 0 && error != EINVAL) fail(file_, error);
+        if (status != 0 && error != EINVAL) fail_to_write(file_, error);
     }
 
     std::filesystem::path file_;
@@ -108,6 +103,11 @@ class Temporary {
 };
 
 }  // namespace
+
+void fail_to_write(const std::filesystem::path& file, int error) {
+    throw IoError(fmt::format("{}: cannot be written ({}). Check the folder, its permissions and the free space.",
+                              file.string(), error == 0 ? "output error" : std::generic_category().message(error)));
+}
 
 std::filesystem::path folder_of(const std::filesystem::path& file) {
     return file.has_parent_path() ? file.parent_path() : ".";
@@ -119,7 +119,7 @@ void write_file(const std::filesystem::path& file, const std::function<void(std:
     std::ostream out(&buffer);
     write(out);
     out.flush();
-    if (!out) fail(file, buffer.error());
+    if (!out) fail_to_write(file, buffer.error());
     temporary.deliver();
 }
 

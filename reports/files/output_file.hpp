@@ -10,6 +10,10 @@ namespace ff::reports {
 /// The folder that a file is in; "." for a name without one.
 std::filesystem::path folder_of(const std::filesystem::path& file);
 
+/// Says that a file cannot be written, and why. @param error  of the system; 0: unknown
+/// @throws IoError
+[[noreturn]] void fail_to_write(const std::filesystem::path& file, int error);
+
 /// Writes a file completely or not at all: to a new temporary file beside it, synchronised, then renamed.
 /// @throws IoError with the system's message
 void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);

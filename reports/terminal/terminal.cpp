@@ -66,16 +66,8 @@ constexpr std::size_t at_most = 6;
 constexpr std::size_t best_of_many = 3;
 
 constexpr std::size_t widest = 56;
-constexpr std::size_t margin = 12;  // of a plot: the labels of its y axis
+constexpr std::size_t margin = 12;  // for the labels of a y axis
 constexpr std::size_t narrowest = margin + 20;
-
-bool is_ladder(const SizeSeries& series) {
-    return !series.ladders.empty() && series.points.size() > 2;
-}
-
-bool ends_lower(const SizeSeries& a, const SizeSeries& b) {
-    return a.points.back().error < b.points.back().error;
-}
 
 PlottedSeries plotted(const SizeSeries& series) {
     PlottedSeries letters{series.method + (series.points.front().is_median ? " (median)" : ""), {}};
@@ -95,7 +87,7 @@ std::string plot_of(const studies::StudyPlan& plan, std::size_t scene, PairClass
     if (all.size() > at_most) {
         which = fmt::format(" (of {1} sampled methods those whose lines end lowest, {0}, and highest)", best_of_many,
                             all.size());
-        std::stable_sort(all.begin(), all.end(), ends_lower);
+        std::ranges::stable_sort(all, {}, [](const SizeSeries& series) { return series.points.back().error; });
         all.erase(all.begin() + best_of_many, all.end() - 1);
     }
     std::vector<PlottedSeries> letters;
@@ -114,10 +106,8 @@ std::string terminal_plots(const studies::StudyResults& results, const TextStyle
     std::string out;
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
         for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
-            std::vector<SizeSeries> ladders;
-            for (SizeSeries& series : size_series(results, scene, pair_class)) {
-                if (is_ladder(series)) ladders.push_back(std::move(series));
-            }
+            std::vector<SizeSeries> ladders = size_series(results, scene, pair_class);
+            std::erase_if(ladders, [](const SizeSeries& s) { return s.ladders.empty() || s.points.size() <= 2; });
             // A single ladder is described by its slope.
             if (ladders.size() > 1) out += plot_of(plan, scene, pair_class, std::move(ladders), style);
         }
@@ -191,19 +181,15 @@ std::string trials_in_words(const studies::gates::Plan& plan) {
 
 std::string terminal_plan(const studies::StudyPlan& plan, unsigned threads, const TextStyle& style) {
     const bool several_scenes = plan.scenes.size() > 1;
-    Table table{"plan", "", "", columns({"method", "size"})};
-    if (several_scenes) table.columns.push_back({"scenes", true});
-    for (const char* name : {"trials", "samples/trial", "core time"}) table.columns.push_back({name, true});
+    Table table{"plan", "", "", columns({"method", "size", ">trials", ">samples/trial", ">core time"})};
+    if (several_scenes) table.columns.insert(table.columns.begin() + 2, TableColumn{"scenes", true});
     double total = 0;
     for (const PlanRow& row : plan_rows(plan)) {
         total += row.seconds;
-        std::vector<TableCell> cells = {row.method, row.size};
-        if (several_scenes) cells.push_back(std::to_string(row.scenes));
-        for (const std::string& text :
-             {std::to_string(row.trials), std::to_string(row.samples), seconds_in_words(row.seconds)}) {
-            cells.push_back(text);
-        }
-        table.rows.push_back(std::move(cells));
+        table.rows.push_back({row.method, row.size, std::to_string(row.trials), std::to_string(row.samples),
+                              seconds_in_words(row.seconds)});
+        auto& cells = table.rows.back();
+        if (several_scenes) cells.insert(cells.begin() + 2, std::to_string(row.scenes));
     }
     const double expected = total / threads + studies::expected_seconds_of_results(plan);
     return fmt::format("{}: {} work units\n\n{}\nabout {} on {}\n", plan.spec.name, plan.units.size(),

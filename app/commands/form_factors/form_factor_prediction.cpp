@@ -25,10 +25,10 @@ double processor_time() {
 
 /// Rough size of the files, in bytes, from what each pair and each entry takes.
 std::uint64_t expected_size(const studies::form_factors::Matrix& matrix) {
-    constexpr std::uint64_t store = 100;  // of a pair
-    constexpr std::uint64_t sparse = 2;   // of an entry, two files with indices and values, packed
-    constexpr std::uint64_t text = 170;   // of an entry of matrix.csv and two .mtx
-    constexpr std::uint64_t dense = 16;   // of an entry in two files, zeros too
+    constexpr std::uint64_t store = 100;  // bytes for a pair
+    constexpr std::uint64_t sparse = 2;   // bytes for an entry in two packed files with indices and values
+    constexpr std::uint64_t text = 170;   // bytes for an entry in matrix.csv and two .mtx
+    constexpr std::uint64_t dense = 16;   // bytes for an entry in two files, zeros too
     const std::uint64_t pairs = matrix.exchanges.size();
     const std::uint64_t faces = matrix.faces();
     std::uint64_t size = pairs * (store + 32 * sparse);
@@ -44,7 +44,7 @@ ExitCode predict_form_factors(const studies::form_factors::KeptMatrix& kept) {
     const std::size_t step = std::max<std::size_t>(1, faces / rows_tried);
     request.shard = {1, step};
     double looking = processor_time();
-    double begin = 0;  // of sampling
+    double begin = 0;  // when sampling begins and ends, in processor time
     double end = 0;
     request.report = [&](const studies::form_factors::Progress& progress) {
         const double now = processor_time();

@@ -34,31 +34,33 @@ constexpr std::string_view before_point = "point:";
 constexpr std::array<std::string_view, 6> columns_of_sensors{"x", "y", "z", "nx", "ny", "nz"};
 constexpr std::size_t most_shown = 8;  // points; more are only in the file
 
-struct Sensor {
-    Vector3d place, normal;
-};
+using Sensor = std::array<double, 6>;  ///< a place and a normal
+
+Vector3d normal_of(const Sensor& sensor) {
+    return {sensor[3], sensor[4], sensor[5]};
+}
 
 /// @throws UserError where the normal has no direction
-Sensor sensor_of(const std::array<double, 6>& numbers, std::string_view where) {
-    Sensor sensor{{numbers[0], numbers[1], numbers[2]}, {numbers[3], numbers[4], numbers[5]}};
-    if (sensor.normal.stableNorm() > 0) return sensor;
+void expect_normal(const Sensor& sensor, std::string_view where) {
+    if (normal_of(sensor).stableNorm() > 0) return;
     throw UserError(fmt::format("{}: its normal is 0 (it faces nowhere). Write a direction, such as 0,0,1.", where));
 }
 
 std::vector<Sensor> read_sensors(const std::string& from) {
-    std::array<double, 6> numbers{};
+    Sensor sensor{};
     if (from.starts_with(before_point)) {
         const auto parts = split_at(',', std::string_view(from).substr(before_point.size()));
-        for (std::size_t k = 0; k < numbers.size(); ++k) {
-            const auto value = parts.size() == numbers.size() ? finite_number(trimmed(parts[k])) : std::nullopt;
+        for (std::size_t k = 0; k < sensor.size(); ++k) {
+            const auto value = parts.size() == sensor.size() ? finite_number(trimmed(parts[k])) : std::nullopt;
             if (!value)
                 throw UserError(
                     fmt::format("--from {} (expected six numbers: a place and a normal). Write "
                                 "point:0.5,0.5,1,0,0,1.",
                                 from));
-            numbers[k] = *value;
+            sensor[k] = *value;
         }
-        return {sensor_of(numbers, "--from " + from)};
+        expect_normal(sensor, "--from " + from);
+        return {sensor};
     }
     const std::string text = studies::read_bytes(from);
     studies::CsvReader reader(text, from);
@@ -68,7 +70,7 @@ std::vector<Sensor> read_sensors(const std::string& from) {
     const auto columns = studies::find_columns(reader, record, columns_of_sensors);
     std::vector<Sensor> sensors;
     while (reader.next(record)) {
-        for (std::size_t k = 0; k < numbers.size(); ++k) {
+        for (std::size_t k = 0; k < sensor.size(); ++k) {
             if (!columns[k])
                 throw UserError(fmt::format("{}: column {} is missing. Write x,y,z,nx,ny,nz and a line for each point.",
                                             from, columns_of_sensors[k]));
@@ -77,9 +79,10 @@ std::vector<Sensor> read_sensors(const std::string& from) {
             if (!value)
                 reader.fail(record[std::min(*columns[k], record.size() - 1)],
                             fmt::format("{} is no number. Write one.", columns_of_sensors[k]));
-            numbers[k] = *value;
+            sensor[k] = *value;
         }
-        sensors.push_back(sensor_of(numbers, fmt::format("{}:{}", from, record.front().line)));
+        expect_normal(sensor, fmt::format("{}:{}", from, record.front().line));
+        sensors.push_back(sensor);
     }
     if (sensors.empty()) throw UserError(fmt::format("{}: no points. Write a line for each.", from));
     return sensors;
@@ -126,15 +129,13 @@ void write_factors(std::ostream& out, const Scene& scene, const std::vector<Sens
                    const std::vector<std::vector<PointFactor>>& factors) {
     out << "point,x,y,z,nx,ny,nz,to,factor,low,high\n";
     for (std::size_t point = 0; point < sensors.size(); ++point) {
-        const auto& [place, normal] = sensors[point];
+        std::string place_and_normal;
+        for (const double number : sensors[point]) place_and_normal += reports::exact(number) + ",";
         for (std::size_t face = 0; face < scene.faces.size(); ++face) {
             const PointFactor& factor = factors[point][face];
             if (!is_seen(factor)) continue;
-            out << fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", point + 1, reports::exact(place.x()),
-                               reports::exact(place.y()), reports::exact(place.z()), reports::exact(normal.x()),
-                               reports::exact(normal.y()), reports::exact(normal.z()),
-                               reports::csv_field(scene.faces[face]), reports::exact(factor.value),
-                               reports::exact(factor.low), reports::exact(factor.high));
+            out << fmt::format("{},{}{},{},{},{}\n", point + 1, place_and_normal, reports::csv_field(scene.faces[face]),
+                               reports::exact(factor.value), reports::exact(factor.low), reports::exact(factor.high));
         }
     }
 }
@@ -155,7 +156,8 @@ ExitCode sensor_factors(const FormFactorsCommand& command) {
     if (!command.out.empty()) out.emplace(command.out, "points", std::vector<std::string>{"points.csv"});
     std::vector<std::vector<PointFactor>> factors(sensors.size());
     studies::for_each_index(sensors.size(), kept.request.threads, [&](std::uint64_t point) {
-        factors[point] = finder.from(sensors[point].place, sensors[point].normal);
+        const Sensor& sensor = sensors[point];
+        factors[point] = finder.from({sensor[0], sensor[1], sensor[2]}, normal_of(sensor));
     });
     if (!command.quiet) {
         say_what_sees_nothing(factors);
