@@ -6,7 +6,7 @@
 #include "core/geometry/scene.hpp"
 #include "studies/form_factors/request.hpp"
 #include "studies/form_factors/store/store.hpp"
-#include "studies/scene_files/scene_source.hpp"
+#include "studies/scene_files/scene_file.hpp"
 
 #include <cstdint>
 #include <filesystem>
