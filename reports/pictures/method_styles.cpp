@@ -1,14 +1,15 @@
 #include "reports/pictures/method_styles.hpp"
 
 #include "core/estimators/added.hpp"
+#include "core/support/contract.hpp"
 #include "reports/words/findings/standing.hpp"
 #include "samplers/outside/added.hpp"
 #include "samplers/sampler.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -105,6 +106,76 @@ Json style_scales(const std::vector<MethodStyle>& styles) {
         symbols.push_back(style.symbol);
     }
     return {{"color", {{"domain", methods}, {"range", colours}}}, {"shape", {{"domain", methods}, {"range", symbols}}}};
+}
+
+double MethodLines::scaled(double value) const {
+    return axis_ == HeightAxis::logarithmic ? std::log(value) : value;
+}
+
+Json MethodLines::value_at(double height) const {
+    return drawn(axis_ == HeightAxis::logarithmic ? std::exp(height) : height, 5);
+}
+
+void MethodLines::make_room(double value) {
+    FF_EXPECT(axis_ == HeightAxis::linear || value > 0);
+    heights_.push_back(scaled(value));
+}
+
+void MethodLines::begin(const std::string& method, const std::string& label) {
+    lines_.push_back({method, label, std::nullopt});
+}
+
+void MethodLines::add(double value, const std::optional<stats::Interval>& interval) {
+    make_room(value);
+    if (interval && interval->low > 0) {
+        make_room(interval->low);
+        make_room(interval->high);
+    }
+    lines_.back().end = scaled(value);
+}
+
+bool MethodLines::is_in_colour(const std::string& method) const {
+    return std::any_of(styles_.begin(), styles_.end(),
+                       [&](const MethodStyle& each) { return each.method == method && each.in_colour; });
+}
+
+std::vector<MethodLines::Line> MethodLines::labels_apart(double low, double high) const {
+    constexpr double rows = 20;  // of text, in the height of a picture
+    std::vector<Line> labels = lines_;
+    std::erase_if(labels, [&](const Line& line) { return !line.end || !is_in_colour(line.method); });
+    const double apart = (high - low) / std::max(rows, static_cast<double>(labels.size()));
+    std::stable_sort(labels.begin(), labels.end(), [](const Line& a, const Line& b) { return a.end < b.end; });
+    for (std::size_t i = 1; i < labels.size(); ++i)
+        labels[i].end = std::max(*labels[i].end, *labels[i - 1].end + apart);
+    double ceiling = high;
+    for (std::size_t i = labels.size(); i-- > 0;) {
+        labels[i].end = std::min(*labels[i].end, ceiling);
+        ceiling = *labels[i].end - apart;
+    }
+    return labels;
+}
+
+void MethodLines::set(PictureValues& values) const {
+    std::vector<std::string> methods;
+    for (const Line& line : lines_) {
+        if (line.end && std::find(methods.begin(), methods.end(), line.method) == methods.end())
+            methods.push_back(line.method);
+    }
+    values.set("isolate", methods);
+    Json scales = style_scales(styles_);
+    if (!heights_.empty()) {
+        const auto [least, largest] = std::minmax_element(heights_.begin(), heights_.end());
+        const double extent = *largest - *least;
+        const double room = extent > 0 ? 0.06 * extent : 0.05;
+        const double low = *least - room;
+        const double high = *largest + room;
+        auto labels = Json::array();
+        for (const Line& line : labels_apart(low, high))
+            labels.push_back({{"method", line.method}, {"text", line.label}, {"height", value_at(*line.end)}});
+        values.set("labels", std::move(labels));
+        scales["y"] = {{"domain", {value_at(low), value_at(high)}}};
+    }
+    values.set("scales", std::move(scales));
 }
 
 }  // namespace ff::reports

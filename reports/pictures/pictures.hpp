@@ -51,14 +51,9 @@ std::vector<Picture> errors_at_sizes(const studies::StudyResults& results, const
 std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std::size_t scene,
                                        const MethodChoice& methods = {});
 
-/// The same for all scenes; in a study of occlusion, error against the occluded fraction instead.
+/// The same for all scenes; in a study of occlusion, error against the occluded fraction at the common number of
+/// evaluations instead, for each family of scenes.
 std::vector<Picture> pictures_by_size(const studies::StudyResults& results, const MethodChoice& methods = {});
-
-/// For one cell: the unfolded faces, estimates, bias, and the distribution of errors, as far as available.
-std::vector<Picture> pictures_of_cell(const studies::StudyResults& results, std::size_t cell);
-
-/// Error against the occluded fraction at the common number of evaluations, for each family of scenes.
-std::vector<Picture> occlusion_pictures(const studies::StudyResults& results, const MethodChoice& methods = {});
 
 /// How often claimed errors hold; empty where no error is claimed but that of rays taken as random, and that holds.
 std::optional<Picture> claims_picture(const studies::StudyResults& results);
@@ -72,8 +67,8 @@ std::optional<PictureGroup> radiosity_pictures(const studies::StudyResults& resu
 /// The radiant exitance on the unfolded box, exact and by each method, and its errors.
 std::vector<Picture> exitance_pictures(const studies::StudyResults& results, std::size_t scene);
 
-/// Parts of these; empty where a cell has nothing to draw.
-std::optional<Picture> unfolded_picture(const studies::StudyResults& results, std::size_t index);
+/// Pictures of one cell; empty where it has nothing to draw.
+std::optional<Picture> unfolded_picture(const studies::StudyResults& results, std::size_t cell);
 std::optional<Picture> estimates_picture(const studies::StudyResults& results, std::size_t cell);
 
 }  // namespace ff::reports

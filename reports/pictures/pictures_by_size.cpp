@@ -1,6 +1,7 @@
-#include "reports/pictures/line_labels.hpp"
+#include "reports/pictures/method_styles.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
+#include "reports/words/findings/occlusion_words.hpp"
 #include "reports/words/findings/standing.hpp"
 #include "reports/words/sizes.hpp"
 
@@ -46,19 +47,6 @@ void add_expected(const SizeSeries& series, const studies::ClassSlopes& slopes, 
     }
 }
 
-std::optional<stats::Interval> interval_of(const SizePoint& point, PairClass pair_class) {
-    return point.is_median ? std::nullopt : point.found->class_error(pair_class)->interval;
-}
-
-void add_measured(const studies::StudyPlan& plan, PairClass pair_class, const SizeSeries& series,
-                  PictureValues& values) {
-    for (const SizePoint& point : series.points) {
-        const auto interval = interval_of(point, pair_class);
-        values.add({series.method, point.is_median ? "median" : "RMSE", size_label(plan, plan.cells[point.found->cell]),
-                    point.found->evaluations_per_face, drawn(point.error), drawn_low(interval), drawn_high(interval)});
-    }
-}
-
 std::vector<std::size_t> cells_of(const studies::StudyPlan& plan, const std::vector<SizeSeries>& all,
                                   bool deterministic) {
     std::vector<std::size_t> cells;
@@ -88,13 +76,16 @@ Picture convergence_picture(const studies::Analysis& findings, std::size_t scene
     PictureValues values({"method", "role", "size", "evaluations", "error", "low", "high"});
     MethodLines lines(styles, HeightAxis::logarithmic);
     for (const SizeSeries& series : all) {
-        add_measured(findings.plan, pair_class, series, values);
-        for (const studies::ClassSlopes* slopes : series.ladders) add_expected(series, *slopes, values);
+        lines.begin(series.method, series.method);
         for (const SizePoint& point : series.points) {
-            lines.make_room(point.error);
-            lines.make_room(interval_of(point, pair_class));
+            const auto interval = point.is_median ? std::nullopt : point.found->class_error(pair_class)->interval;
+            values.add({series.method, point.is_median ? "median" : "RMSE",
+                        size_label(findings.plan, findings.plan.cells[point.found->cell]),
+                        point.found->evaluations_per_face, drawn(point.error), drawn_low(interval),
+                        drawn_high(interval)});
+            lines.add(point.error, interval);
         }
-        lines.add(series.method, series.method, series.points.back().error);
+        for (const studies::ClassSlopes* slopes : series.ladders) add_expected(series, *slopes, values);
     }
     lines.set(values);
     const std::string place = where(findings.plan, scene, pair_class);
@@ -117,7 +108,7 @@ std::optional<Picture> efficiency_picture(const studies::Analysis& findings, std
     std::vector<std::size_t> cells;
     MethodLines lines(styles, HeightAxis::logarithmic);
     for (const SizeSeries& series : all) {
-        std::optional<double> last;
+        lines.begin(series.method, series.method);
         for (const SizePoint& point : series.points) {
             const studies::CellAnalysis& found = *point.found;
             const studies::ClassError& error = *found.class_error(pair_class);
@@ -126,11 +117,8 @@ std::optional<Picture> efficiency_picture(const studies::Analysis& findings, std
                         found.evaluations_per_face, drawn(error.efficiency), drawn_low(error.efficiency_interval),
                         drawn_high(error.efficiency_interval)});
             cells.push_back(found.cell);
-            last = *error.efficiency;
-            lines.make_room(*last);
-            lines.make_room(error.efficiency_interval);
+            lines.add(*error.efficiency, error.efficiency_interval);
         }
-        if (last) lines.add(series.method, series.method, *last);
     }
     if (cells.size() < 2) return std::nullopt;
     lines.set(values);
@@ -142,6 +130,37 @@ std::optional<Picture> efficiency_picture(const studies::Analysis& findings, std
                       fmt::format("1 / (RMSE² N) of the sampled methods on {} against N, the evaluations for a face, "
                                   "with {:g} % intervals.",
                                   place, 100 * findings.plan.spec.level));
+}
+
+/// Error against the occluded fraction at the common number of evaluations, for a family of scenes.
+Picture picture_of_series(const studies::StudyResults& results, const studies::OcclusionSeries& series,
+                          const MethodChoice& methods) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    PictureValues values({"method", "scene", "hidden", "size", "error", "low", "high"});
+    MethodLines lines(method_styles(results, methods), HeightAxis::logarithmic);
+    for (std::size_t method = 0; method < plan.spec.methods.size(); ++method) {
+        const std::string& name = plan.spec.methods[method].name;
+        if (!methods.has(name)) continue;
+        lines.begin(name, name);
+        for (const studies::HiddenPair& scene : series.scenes) {
+            const auto& found = scene.methods[method];
+            if (!found || found->size() < studies::rounding_error) continue;
+            const bool infinite = found->error.status == studies::VarianceStatus::infinite;
+            const auto interval = infinite ? std::nullopt : found->error.interval;
+            values.add({name, plan.scenes[scene.scene].name, drawn(scene.hidden, 4),
+                        size_label(plan, plan.cells[found->cell]), drawn(found->size()), drawn_low(interval),
+                        drawn_high(interval)});
+            lines.add(found->size(), interval);
+        }
+    }
+    lines.set(values);
+    const std::string pair = quantity_label(plan.scenes[series.scenes.front().scene], series.pair);
+    return picture_of(values, "occlusion", fmt::format("occlusion-{}-{}", series.family, pair),
+                      fmt::format("Error against the occluded fraction: {}, {}.", series.family, pair),
+                      series_in_words(results, series),
+                      fmt::format("RMSE of a run (logarithmic) on {} against the occluded fraction of its form factor, "
+                                  "in {} scenes with another {}, a line for each method, with {:g} % intervals.",
+                                  pair, series.scenes.size(), series.measure, 100 * plan.spec.level));
 }
 
 }  // namespace
@@ -164,8 +183,10 @@ std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std
 }
 
 std::vector<Picture> pictures_by_size(const studies::StudyResults& results, const MethodChoice& methods) {
-    if (!results.occlusion.empty()) return occlusion_pictures(results, methods);
     std::vector<Picture> pictures;
+    for (const studies::OcclusionSeries& series : results.occlusion)
+        pictures.push_back(picture_of_series(results, series, methods));
+    if (!pictures.empty()) return pictures;
     for (std::size_t scene = 0; scene < results.findings.plan.scenes.size(); ++scene) {
         for (Picture& picture : pictures_of_scene(results, scene, methods)) pictures.push_back(std::move(picture));
     }

@@ -17,122 +17,102 @@
 namespace ff::reports {
 namespace {
 
-using studies::ErrorShape;
-
-/// Data that all pictures of a cell's errors share.
-struct Distribution {
-    const studies::CellAnalysis& found;
-    const Scene& scene;
-    std::string label;
-    Json pairs;  ///< names, in the order of the shapes
-};
-
-std::string pair_name(const Distribution& d, const ErrorShape& shape) {
-    return quantity_label(d.scene, shape.quantity);
-}
-
-Json choice_of(const Distribution& d) {
-    return {{"signal", "pair"}, {"label", "Pair"}, {"values", d.pairs}};
-}
-
-Picture box_plots(const Distribution& d) {
-    PictureValues values({"pair", "min", "q05", "q25", "median", "q75", "q95", "max"});
-    const studies::Summary* widest = nullptr;
-    for (const ErrorShape& shape : d.found.shapes) {
-        const studies::Summary& s = d.found.summary(shape.quantity);
-        const auto error = [&](const std::optional<double>& value) { return drawn(*value - *s.reference); };
-        values.add({pair_name(d, shape), error(s.min), error(s.q05), drawn(shape.q25), error(s.median),
-                    drawn(shape.q75), error(s.q95), error(s.max)});
-        if (widest == nullptr || *s.q95 - *s.q05 > *widest->q95 - *widest->q05) widest = &s;
-    }
-    return picture_of_cell(values, "errors", d.found.cell, d.label, "Errors of single runs by pair",
-                           fmt::format("The widest spread is that of {}: 90 % of its runs err by {:+.2e} to {:+.2e}.",
-                                       quantity_label(d.scene, widest->quantity), *widest->q05 - *widest->reference,
-                                       *widest->q95 - *widest->reference),
-                           "For each pair the range of all errors (thin), of the middle 90 % (thick) and of the middle "
-                           "half (box), with the "
-                           "median.");
-}
-
-Picture histogram(const Distribution& d) {
-    PictureValues values({"pair", "low", "high", "count", "normal"});
-    const studies::Summary* least = nullptr;
-    for (const ErrorShape& shape : d.found.shapes) {
-        const std::string pair = pair_name(d, shape);
-        for (const ErrorShape::Bin& bin : shape.bins) {
-            values.add({pair, drawn(bin.low, 4), drawn(bin.high, 4), bin.runs, drawn(bin.normal, 3)});
-        }
-        const studies::Summary& s = d.found.summary(shape.quantity);
-        if (s.normality_p && (least == nullptr || *s.normality_p < *least->normality_p)) least = &s;
-    }
-    values.set("choose", choice_of(d));
-    const std::string finding =
-        least == nullptr ? "There are too few runs for a test of normality."
-                         : fmt::format("The least normal of {} pairs is {}: Anderson-Darling {} by itself, n = {}.",
-                                       d.found.shapes.size(), quantity_label(d.scene, least->quantity),
-                                       p_text(*least->normality_p), least->trials);
-    return picture_of_cell(values, "histogram", d.found.cell, d.label, "How the errors of single runs are distributed",
-                           finding,
-                           "A histogram of the errors of one pair at a time, with what a normal distribution of their "
-                           "mean and spread would give.");
-}
-
-Picture quantile_plot(const Distribution& d) {
-    PictureValues values({"pair", "normal", "runs"});
-    const ErrorShape* farthest = nullptr;
-    double distance = -1;
-    for (const ErrorShape& shape : d.found.shapes) {
-        for (const ErrorShape::QuantilePair& q : shape.quantiles) {
-            values.add({pair_name(d, shape), drawn(q.normal, 3), drawn(q.runs, 3)});
-            if (std::abs(q.runs - q.normal) <= distance) continue;
-            distance = std::abs(q.runs - q.normal);
-            farthest = &shape;
-        }
-    }
-    values.set("choose", choice_of(d));
-    return picture_of_cell(
-        values, "qq", d.found.cell, d.label, "Quantiles of the errors against normal ones",
-        fmt::format("No quantile is farther from the line than {:.2g} standard deviations ({}).", distance,
-                    pair_name(d, *farthest)),
-        "Quantiles of the errors of one pair at a time against those of a normal distribution, in standard deviations; "
-        "on the line where both agree.");
-}
-
-std::vector<Picture> distribution_pictures(const studies::StudyResults& results, std::size_t cell) {
-    const studies::StudyPlan& plan = results.findings.plan;
-    const studies::CellAnalysis& found = results.findings.cells[cell];
-    if (found.shapes.empty()) return {};
-    const studies::Cell& planned = plan.cells[found.cell];
-    Distribution d{found, plan.scenes[planned.scene], cell_label(plan, planned), Json::array()};
-    for (const ErrorShape& shape : found.shapes) d.pairs.push_back(pair_name(d, shape));
-    return {box_plots(d), histogram(d), quantile_plot(d)};
-}
-
 using studies::CellAnalysis;
+using studies::ErrorShape;
 using studies::Quantity;
 using studies::QuantityKind;
 using studies::Summary;
 
 struct CellView {
     const CellAnalysis& found;
-    const studies::Cell& cell;
-    const studies::Method& method;
     const Scene& scene;
     std::string label;
+
+    [[nodiscard]] std::string pair(const Quantity& quantity) const { return quantity_label(scene, quantity); }
 };
 
 CellView view(const studies::StudyResults& results, std::size_t index) {
     const studies::StudyPlan& plan = results.findings.plan;
     const CellAnalysis& found = results.findings.cells[index];
     const studies::Cell& cell = plan.cells[found.cell];
-    return {found, cell, plan.spec.methods[cell.method], plan.scenes[cell.scene], cell_label(plan, cell)};
+    return {found, plan.scenes[cell.scene], cell_label(plan, cell)};
+}
+
+/// A choice among the pairs whose errors have a shape.
+Json choice_of_pair(const CellView& v) {
+    auto pairs = Json::array();
+    for (const ErrorShape& shape : v.found.shapes) pairs.push_back(v.pair(shape.quantity));
+    return {{"signal", "pair"}, {"label", "Pair"}, {"values", std::move(pairs)}};
+}
+
+Picture box_plots(const CellView& v) {
+    PictureValues values({"pair", "min", "q05", "q25", "median", "q75", "q95", "max"});
+    const Summary* widest = nullptr;
+    for (const ErrorShape& shape : v.found.shapes) {
+        const Summary& s = v.found.summary(shape.quantity);
+        const auto error = [&](const std::optional<double>& value) { return drawn(*value - *s.reference); };
+        values.add({v.pair(shape.quantity), error(s.min), error(s.q05), drawn(shape.q25), error(s.median),
+                    drawn(shape.q75), error(s.q95), error(s.max)});
+        if (widest == nullptr || *s.q95 - *s.q05 > *widest->q95 - *widest->q05) widest = &s;
+    }
+    return picture_of_cell(
+        values, "errors", v.found.cell, v.label, "Errors of single runs by pair",
+        fmt::format("The widest spread is that of {}: 90 % of its runs err by {:+.2e} to {:+.2e}.",
+                    v.pair(widest->quantity), *widest->q05 - *widest->reference, *widest->q95 - *widest->reference),
+        "For each pair the range of all errors (thin), of the middle 90 % (thick) and of the middle "
+        "half (box), with the median.");
+}
+
+Picture histogram(const CellView& v) {
+    PictureValues values({"pair", "low", "high", "count", "normal"});
+    const Summary* least = nullptr;
+    for (const ErrorShape& shape : v.found.shapes) {
+        const std::string pair = v.pair(shape.quantity);
+        for (const ErrorShape::Bin& bin : shape.bins) {
+            values.add({pair, drawn(bin.low, 4), drawn(bin.high, 4), bin.runs, drawn(bin.normal, 3)});
+        }
+        const Summary& s = v.found.summary(shape.quantity);
+        if (s.normality_p && (least == nullptr || *s.normality_p < *least->normality_p)) least = &s;
+    }
+    values.set("choose", choice_of_pair(v));
+    const std::string finding =
+        least == nullptr
+            ? "There are too few runs for a test of normality."
+            : fmt::format("The least normal of {} pairs is {}: Anderson-Darling {} by itself, n = {}.",
+                          v.found.shapes.size(), v.pair(least->quantity), p_text(*least->normality_p), least->trials);
+    return picture_of_cell(values, "histogram", v.found.cell, v.label, "How the errors of single runs are distributed",
+                           finding,
+                           "A histogram of the errors of one pair at a time, with what a normal distribution of their "
+                           "mean and spread would give.");
+}
+
+Picture quantile_plot(const CellView& v) {
+    PictureValues values({"pair", "normal", "runs"});
+    const ErrorShape* farthest = nullptr;
+    double distance = -1;
+    for (const ErrorShape& shape : v.found.shapes) {
+        for (const ErrorShape::QuantilePair& q : shape.quantiles) {
+            values.add({v.pair(shape.quantity), drawn(q.normal, 3), drawn(q.runs, 3)});
+            if (std::abs(q.runs - q.normal) <= distance) continue;
+            distance = std::abs(q.runs - q.normal);
+            farthest = &shape;
+        }
+    }
+    values.set("choose", choice_of_pair(v));
+    return picture_of_cell(
+        values, "qq", v.found.cell, v.label, "Quantiles of the errors against normal ones",
+        fmt::format("No quantile is farther from the line than {:.2g} standard deviations ({}).", distance,
+                    v.pair(farthest->quantity)),
+        "Quantiles of the errors of one pair at a time against those of a normal distribution, in standard deviations; "
+        "on the line where both agree.");
 }
 
 /// Form factors whose estimates are free: half of them follow under reciprocal completion.
-std::vector<const Summary*> distinct(const CellView& v) {
+std::vector<const Summary*> distinct(const studies::StudyPlan& plan, const CellView& v) {
     std::vector<const Summary*> pairs;
     if (v.found.summaries.empty()) return pairs;  // no trial yet
-    for (const Quantity pair : studies::distinct_pairs(v.scene.faces.size(), v.method.completion))
+    const studies::Method& method = plan.spec.methods[plan.cells[v.found.cell].method];
+    for (const Quantity pair : studies::distinct_pairs(v.scene.faces.size(), method.completion))
         pairs.push_back(&v.found.summary(pair));
     return pairs;
 }
@@ -159,14 +139,14 @@ std::optional<Picture> bias_picture(const studies::StudyResults& results, std::s
         if (s.quantity.kind != QuantityKind::form_factor || !s.bias_se || *s.bias_se == 0) continue;
         if (largest == nullptr || std::abs(*s.bias / *s.bias_se) > std::abs(*largest->bias / *largest->bias_se))
             largest = &s;
-        values.add({quantity_label(v.scene, s.quantity), from_label(v.scene, s.quantity), to_label(v.scene, s.quantity),
+        values.add({v.pair(s.quantity), from_label(v.scene, s.quantity), to_label(v.scene, s.quantity),
                     drawn(*s.bias / *s.bias_se), drawn(s.bias), drawn(s.bias_se)});
     }
     if (largest == nullptr) return std::nullopt;
     return picture_of_cell(
         values, "bias_map", v.found.cell, v.label, "Bias in units of its standard error",
         fmt::format("The largest is {:+.1f}, on {}; all pairs together: {}.", *largest->bias / *largest->bias_se,
-                    quantity_label(v.scene, largest->quantity), bias_in_words(v.found)),
+                    v.pair(largest->quantity), bias_in_words(v.found)),
         "A square for each ordered pair of faces, coloured by bias / standard error.");
 }
 
@@ -174,11 +154,12 @@ std::optional<Picture> bias_picture(const studies::StudyResults& results, std::s
 
 std::optional<Picture> estimates_picture(const studies::StudyResults& results, std::size_t cell) {
     const CellView v = view(results, cell);
+    const auto pairs = distinct(results.findings.plan, v);
     const auto printed = printed_figures(results, cell);
     PictureValues values({"pair", "exact", "mean", "low", "high", "run_low", "run_high", "published", "printed"});
     std::size_t intervals = 0;
     std::size_t missed = 0;
-    for (const Summary* s : distinct(v)) {
+    for (const Summary* s : pairs) {
         if (!s->mean || !s->reference) continue;
         const bool sampled = s->trials > 1;
         if (s->bias_interval) {
@@ -188,7 +169,7 @@ std::optional<Picture> estimates_picture(const studies::StudyResults& results, s
         const auto figure = printed.find(s->quantity);
         const bool shown = figure != printed.end();
         const auto around = [&](double end) { return drawn(*s->reference + end); };
-        values.add({quantity_label(v.scene, s->quantity), drawn(s->reference), drawn(s->mean),
+        values.add({v.pair(s->quantity), drawn(s->reference), drawn(s->mean),
                     s->bias_interval ? around(s->bias_interval->low) : nullptr,
                     s->bias_interval ? around(s->bias_interval->high) : nullptr, sampled ? drawn(s->q025) : nullptr,
                     sampled ? drawn(s->q975) : nullptr, shown ? drawn(std::stod(figure->second)) : nullptr,
@@ -207,26 +188,16 @@ std::optional<Picture> estimates_picture(const studies::StudyResults& results, s
             100 * results.findings.plan.spec.level, v.found.trials, missed, intervals,
             static_cast<double>(intervals) * (1 - results.findings.plan.spec.level));
     } else {
-        const auto worst = distinct(v);
-        const auto* largest = *std::max_element(worst.begin(), worst.end(), [](const Summary* a, const Summary* b) {
+        const auto* largest = *std::max_element(pairs.begin(), pairs.end(), [](const Summary* a, const Summary* b) {
             return std::abs(a->bias.value_or(0)) < std::abs(b->bias.value_or(0));
         });
-        finding = fmt::format("The largest error is {:+.2e}, on {}.", largest->bias.value_or(0),
-                              quantity_label(v.scene, largest->quantity));
+        finding =
+            fmt::format("The largest error is {:+.2e}, on {}.", largest->bias.value_or(0), v.pair(largest->quantity));
     }
     if (!printed.empty()) finding += fmt::format(" {} published values are marked.", printed.size());
     return picture_of_cell(values, "estimates", v.found.cell, v.label, "Estimates against the exact values", finding,
                            "For each pair the exact form factor, the mean of the runs with its interval, and the range "
                            "of 95 % of single runs.");
-}
-
-std::vector<Picture> pictures_of_cell(const studies::StudyResults& results, std::size_t cell) {
-    std::vector<Picture> pictures;
-    for (auto* draw : {unfolded_picture, estimates_picture, bias_picture}) {
-        if (auto picture = draw(results, cell)) pictures.push_back(std::move(*picture));
-    }
-    for (Picture& picture : distribution_pictures(results, cell)) pictures.push_back(std::move(picture));
-    return pictures;
 }
 
 std::vector<PictureGroup> picture_groups(const studies::StudyResults& results) {
@@ -239,7 +210,14 @@ std::vector<PictureGroup> picture_groups(const studies::StudyResults& results) {
     const auto hidden = cells_in_between(results);
     for (std::size_t cell = 0; cell < results.findings.cells.size(); ++cell) {
         if (hidden.contains(results.findings.cells[cell].cell)) continue;
-        PictureGroup group{view(results, cell).label, rivals.contains(cell), pictures_of_cell(results, cell)};
+        const CellView v = view(results, cell);
+        PictureGroup group{v.label, rivals.contains(cell), {}};
+        for (auto* draw : {unfolded_picture, estimates_picture, bias_picture}) {
+            if (auto picture = draw(results, cell)) group.pictures.push_back(std::move(*picture));
+        }
+        if (!v.found.shapes.empty()) {
+            for (auto* draw : {box_plots, histogram, quantile_plot}) group.pictures.push_back(draw(v));
+        }
         if (!group.pictures.empty()) groups.push_back(std::move(group));
     }
     for (std::size_t scene = 0; !results.occlusion.empty() && scene < results.findings.plan.scenes.size(); ++scene) {

@@ -1,4 +1,5 @@
-#include "reports/pictures/line_labels.hpp"
+#include "reports/pictures/method_styles.hpp"
+#include "reports/pictures/picture_values.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/findings/radiosity_words.hpp"
@@ -19,8 +20,9 @@ struct Shown {
     std::string method;
     std::string size;
     studies::radiosity::Treatment treatment;
-    bool own = true;  ///< whether the method itself completes the matrix in this way
+    bool own = true;  ///< whether the method itself completes the matrix in this way: its line is solid, others dashed
     const Consequences* found;
+    std::string label = {};
 };
 
 /// The cells that the verdict compares, with each treatment except those that change nothing.
@@ -37,6 +39,12 @@ std::vector<Shown> shown_of(const studies::StudyResults& results, std::size_t sc
             shown.push_back({method.name, size_label(plan, plan.cells[cell]), treatment, own, found});
         }
     }
+    for (Shown& each : shown) {
+        const bool several = std::any_of(shown.begin(), shown.end(), [&](const Shown& other) {
+            return other.method == each.method && other.size != each.size;
+        });
+        each.label = each.method + (several ? ", " + each.size : "") + (each.own ? "" : ", balanced");
+    }
     return shown;
 }
 
@@ -44,14 +52,6 @@ std::vector<Shown> shown_of(const studies::StudyResults& results, std::size_t sc
 std::optional<double> same_everywhere(const StudyPlan& plan, std::size_t setting) {
     const auto& reflectance = plan.spec.radiosity->reflectance[setting];
     return reflectance.size() == 1 ? std::optional(reflectance.front()) : std::nullopt;
-}
-
-/// Ends a line, which is solid for matrices as methods complete them and dashed for balanced ones.
-void add_line(MethodLines& lines, const Shown& line, double last, const std::vector<Shown>& all) {
-    const bool several = std::any_of(all.begin(), all.end(), [&](const Shown& other) {
-        return other.method == line.method && other.size != line.size;
-    });
-    lines.add(line.method, line.method + (several ? ", " + line.size : "") + (line.own ? "" : ", balanced"), last);
 }
 
 constexpr const char* dashes_in_words = "Dashed: after the matrix is balanced.";
@@ -64,7 +64,7 @@ std::optional<Picture> errors_picture(const studies::StudyResults& results, std:
     double largest = 0;
     std::string where;
     for (const Shown& each : shown) {
-        std::optional<double> last;
+        lines.begin(each.method, each.label);
         for (const studies::radiosity::SettingStatistics& at : each.found->settings) {
             const auto reflectance = same_everywhere(plan, at.setting);
             if (!reflectance || at.exitance.empty()) continue;
@@ -73,13 +73,11 @@ std::optional<Picture> errors_picture(const studies::StudyResults& results, std:
             values.add({each.method, each.size, studies::radiosity::name(each.treatment), each.own, drawn(reflectance),
                         drawn(1 - *reflectance), drawn(rmse),
                         drawn(*at.exitance.front().bias / at.exitance.front().exact), at.negative});
-            lines.make_room(rmse);
-            last = rmse;
+            lines.add(rmse);
             if (rmse <= largest) continue;
             largest = rmse;
             where = setting_text(plan, at.setting);
         }
-        if (last) add_line(lines, each, *last, shown);
     }
     if (where.empty()) return std::nullopt;
     lines.set(values);
@@ -98,17 +96,17 @@ std::optional<Picture> radius_picture(const studies::StudyResults& results, std:
     lines.make_room(1);
     double limit = 1;
     for (const Shown& each : shown) {
-        std::optional<double> last;
+        lines.begin(each.method, each.label);
         for (const studies::radiosity::SettingStatistics& at : each.found->settings) {
             const auto reflectance = same_everywhere(plan, at.setting);
             if (!reflectance) continue;
             const auto& radius = at.spectral_radius;
             values.add({each.method, each.size, studies::radiosity::name(each.treatment), each.own, drawn(reflectance),
                         drawn(radius.median, 8), drawn(radius.least, 8), drawn(radius.largest, 8)});
-            for (const double value : {radius.median, radius.least, radius.largest}) lines.make_room(value);
-            last = radius.median;
+            lines.make_room(radius.least);
+            lines.make_room(radius.largest);
+            lines.add(radius.median);
         }
-        if (last) add_line(lines, each, *last, shown);
         limit = std::min(limit, each.found->convergent_below.least);
     }
     if (values.empty()) return std::nullopt;

@@ -1,9 +1,11 @@
-#include "reports/pictures/line_labels.hpp"
+#include "reports/pictures/method_styles.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace ff::reports {
@@ -11,9 +13,16 @@ namespace {
 
 using nlohmann::json;
 
-json set(const LineLabels& labels) {
+/// Lines of methods in colour.
+MethodLines lines_of(const std::vector<std::string>& methods, HeightAxis axis) {
+    std::vector<MethodStyle> styles;
+    for (const std::string& method : methods) styles.push_back({method, "#0072b2", "circle"});
+    return {std::move(styles), axis};
+}
+
+json set(const MethodLines& lines) {
     PictureValues values({"x"});
-    labels.set(values, nlohmann::ordered_json::object());
+    lines.set(values);
     return json::parse(values.text());
 }
 
@@ -25,10 +34,13 @@ std::vector<double> heights(const json& values) {
 }
 
 TEST(LineLabels, KeepTheirDistanceWithinTheAxis) {
-    LineLabels labels(HeightAxis::logarithmic);
-    for (const double error : {1e-4, 1.0}) labels.make_room(error);
-    for (int i = 0; i < 7; ++i) labels.add("m", "m", 1.0);  // all at the upper end
-    const json values = set(labels);
+    MethodLines lines = lines_of({"m"}, HeightAxis::logarithmic);
+    for (const double error : {1e-4, 1.0}) lines.make_room(error);
+    for (int i = 0; i < 7; ++i) {
+        lines.begin("m", "m");
+        lines.add(1.0);  // at the upper end
+    }
+    const json values = set(lines);
     const double low = std::log(values["scales"]["y"]["domain"][0].get<double>());
     const double high = std::log(values["scales"]["y"]["domain"][1].get<double>());
     const auto found = heights(values);
@@ -40,17 +52,19 @@ TEST(LineLabels, KeepTheirDistanceWithinTheAxis) {
 }
 
 TEST(LineLabels, StayWhereNothingIsNear) {
-    LineLabels labels(HeightAxis::linear);
-    for (const double value : {0.0, 1.0}) labels.make_room(value);
-    labels.add("a", "a", 0.2);
-    labels.add("b", "b", 0.7);
-    const json values = set(labels);
+    MethodLines lines = lines_of({"a", "b"}, HeightAxis::linear);
+    for (const double value : {0.0, 1.0}) lines.make_room(value);
+    lines.begin("a", "a");
+    lines.add(0.2);
+    lines.begin("b", "b");
+    lines.add(0.7);
+    const json values = set(lines);
     EXPECT_EQ(values["labels"][0]["height"], 0.2);
     EXPECT_EQ(values["labels"][1]["height"], 0.7);
 }
 
 TEST(LineLabels, LeaveTheAxisAloneWhereNothingIsDrawn) {
-    const json values = set(LineLabels(HeightAxis::logarithmic));
+    const json values = set(lines_of({}, HeightAxis::logarithmic));
     EXPECT_FALSE(values["scales"].contains("y"));
 }
 
