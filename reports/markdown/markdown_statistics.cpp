@@ -5,7 +5,6 @@
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/text/study_text.hpp"
-#include "reports/words/findings/slope_words.hpp"
 #include "reports/words/findings/verdicts.hpp"
 
 #include <fmt/format.h>

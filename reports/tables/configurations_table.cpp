@@ -2,7 +2,6 @@
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/findings/occlusion_words.hpp"
-#include "reports/words/findings/slope_words.hpp"
 #include "reports/words/findings/verdicts.hpp"
 #include "studies/analysis/configuration_estimates.hpp"
 

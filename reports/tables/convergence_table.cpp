@@ -1,7 +1,6 @@
 #include "reports/tables/tables.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/words/findings/slope_words.hpp"
 
 #include <fmt/format.h>
 
@@ -34,9 +33,46 @@ std::string slope(const studies::Slope& found) {
     return found.slope ? fmt::format("{:.3f}", *found.slope) : "–";
 }
 
+/// The rate that theory expects: "-0.50"; "≤ -0.57" for an upper bound of the error; "-1.50 to -1.33" where logarithms
+/// slow it down at the sizes of the ladder; "-" where none is known.
+std::string expected_text(const studies::Slope& slope) {
+    if (!slope.expected) return "-";
+    const double rate = slope.expected->rate;
+    if (slope.expected->at_least) return fmt::format("≤ {:.2f}", slope.slowest_expected);
+    if (slope.slowest_expected == rate) return fmt::format("{:.2f}", rate);
+    return fmt::format("{:.2f} to {:.2f}", rate, slope.slowest_expected);
+}
+
 std::string theory(const studies::Slope& found) {
     if (!found.expected) return "none known";
     return fmt::format("{} [{}]: {}", expected_text(found), found.expected->source, found.expected->because);
+}
+
+/// The comparison of trials and theory: "as expected", "slower than expected (p = 0.001)".
+std::string finding_in_words(const studies::ClassSlopes& found) {
+    const bool infinite = found.rmse.variance == studies::VarianceStatus::infinite;
+    std::string words = infinite ? "infinite variance, no RMSE; median " : "";
+    const std::string p = found.adjusted_p ? fmt::format(" ({})", p_text(*found.adjusted_p)) : std::string();
+    switch (found.finding) {
+        case studies::RateFinding::as_expected:
+            words += found.judged().expected->at_least ? "within the bound" : "as expected";
+            break;
+        case studies::RateFinding::slower:
+            words += "slower than expected" + p;
+            break;
+        case studies::RateFinding::faster:
+            words += "faster than expected" + p;
+            break;
+        case studies::RateFinding::no_theory:
+            words += "no theory known";
+            break;
+        case studies::RateFinding::no_slope:
+            if (found.judged().few_trials) return words + "too few trials";
+            if (found.rmse.variance != studies::VarianceStatus::none) return words + "no slope";
+            return found.rmse.slope ? "deterministic: no interval" : "exact to rounding";
+    }
+    if (found.bent) words += fmt::format("; not a straight line ({})", p_text(*found.judged().lack_of_fit_p));
+    return words;
 }
 
 }  // namespace

@@ -53,6 +53,21 @@ std::string size_label(const studies::StudyPlan& plan, const studies::Cell& cell
     return fmt::format("{} × {} {}", patches, cell.samples_per_patch, counted);
 }
 
+std::string sizes_text(const studies::StudyPlan& plan, const studies::Ladder& ladder) {
+    const bool patches = ladder.growth == studies::Growth::patches;
+    const auto size = [&](std::size_t cell) {
+        return patches ? plan.cells[cell].subdivision.per_part() : plan.cells[cell].samples_per_patch;
+    };
+    return fmt::format("{} … {} ({}){}", size(ladder.cells.front()), size(ladder.cells.back()), ladder.cells.size(),
+                       patches ? " patches" : "");
+}
+
+std::string slope_text(const studies::Slope& slope) {
+    if (!slope.slope) return "-";
+    return slope.interval ? fmt::format("{:.2f}±{:.2f}", *slope.slope, slope.interval->width() / 2)
+                          : fmt::format("{:.2f}", *slope.slope);
+}
+
 std::string cell_label(const studies::StudyPlan& plan, const studies::Cell& cell) {
     return fmt::format("{}, {}", method_label(plan, cell), size_label(plan, cell));
 }

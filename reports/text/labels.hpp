@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studies/analysis/analysis.hpp"
+#include "studies/analysis/slopes.hpp"
 #include "studies/store/store.hpp"
 
 #include <cstddef>
@@ -19,6 +19,12 @@ std::string quantity_label(const Scene& scene, const studies::Quantity& quantity
 
 /// The size of a cell: "169 × 625 rays", "36 × 5×5 nodes", "1".
 std::string size_label(const studies::StudyPlan& plan, const studies::Cell& cell);
+
+/// Smallest and largest size of a ladder, and the number of sizes: "64 … 65536 (11)".
+std::string sizes_text(const studies::StudyPlan& plan, const studies::Ladder& ladder);
+
+/// "-0.66±0.02", half the width of its interval; "-0.25" without one; "-" without a slope.
+std::string slope_text(const studies::Slope& slope);
 
 /// Method and size; the scene too where the study has several.
 std::string cell_label(const studies::StudyPlan& plan, const studies::Cell& cell);

@@ -5,7 +5,6 @@
 #include "reports/words/answer.hpp"
 #include "reports/words/findings/coverage_words.hpp"
 #include "reports/words/findings/occlusion_words.hpp"
-#include "reports/words/findings/slope_words.hpp"
 #include "reports/words/findings/standing.hpp"
 #include "samplers/sampler.hpp"
 #include "stats/basics/distributions.hpp"
@@ -102,6 +101,40 @@ bool is_below_the_top(const studies::StudyResults& results, std::size_t cell) {
         const auto& cells = ladder.ladder.cells;
         return cells.back() != cell && std::find(cells.begin(), cells.end(), cell) != cells.end();
     });
+}
+
+/// How many verdicts are of each kind.
+std::string verdicts_in_words(const std::vector<studies::LadderSlopes>& ladders) {
+    std::size_t judged = 0;
+    std::size_t expected = 0;
+    std::vector<std::string> others;
+    for (const studies::LadderSlopes& ladder : ladders) {
+        for (const studies::ClassSlopes& found : ladder.classes) {
+            if (!found.adjusted_p) continue;
+            ++judged;
+            if (found.finding == studies::RateFinding::as_expected) {
+                ++expected;
+            } else {
+                others.push_back(fmt::format("{} on {} pairs is {}", ladder.ladder.label, name(found.pair_class),
+                                             found.finding == studies::RateFinding::slower ? "slower" : "faster"));
+            }
+        }
+    }
+    if (judged == 0) return {};
+    return fmt::format("Of {} with a theory {} {} as expected{}{}.", counted(judged, "rate"), expected,
+                       expected == 1 ? "is" : "are", others.empty() ? "" : "; ", listed(others));
+}
+
+/// For each class of pairs, which methods converge fastest and slowest, as far as they can be distinguished, then how
+/// many rates are as expected; empty without ladders.
+std::vector<std::string> slopes_in_brief(const studies::StudyResults& results) {
+    std::vector<std::string> lines;
+    if (results.occlusion.empty()) {  // otherwise scenes differ in what hides, and are described together
+        for (const Ranking& ranking : rank_rates(results)) lines.push_back(sentence(ranking, results.findings.plan));
+    }
+    if (std::string verdicts = verdicts_in_words(results.slopes); !verdicts.empty())
+        lines.push_back(std::move(verdicts));
+    return lines;
 }
 
 /// The constants of c/m in one sentence; empty without laws.

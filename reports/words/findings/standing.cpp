@@ -2,7 +2,6 @@
 
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "reports/words/findings/left_out.hpp"
 #include "studies/comparison/rivals.hpp"
 
 #include <fmt/format.h>
@@ -76,15 +75,14 @@ std::string slope_and_reach(const Ranked& slope) {
 
 /// The rankings of all classes of pairs of all scenes that have one, such that all of them hold together.
 /// @param rank  fills one in, at a level
-template <class Rank>
-std::vector<Ranking> of_each_class(const StudyResults& results, const Rank& rank) {
+std::vector<Ranking> of_each_class(const StudyResults& results, void (*rank)(const StudyResults&, Ranking&, double)) {
     const studies::StudyPlan& plan = results.findings.plan;
     const auto ranked_at = [&](double level) {
         std::vector<Ranking> all;
         for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
             for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
                 Ranking ranking{heading_of(plan, scene, pair_class), {}, scene, pair_class};
-                rank(ranking, level);
+                rank(results, ranking, level);
                 if (!ranking.methods.empty()) all.push_back(std::move(ranking));
             }
         }
@@ -108,16 +106,16 @@ void rank_rates_of_class(const StudyResults& results, Ranking& ranking, double l
     }
     const Leaders best = leaders(ranked.slopes, ranking.methods);
     if (!best.all || best.one()) ranking.leaders = best.names;
-    const std::string slope = ranked.of_median ? "slope of the median error" : "slope";
     const Ranked& first = ranked.slopes.front();
     const Ranked& last = ranked.slopes.back();
+    const std::string steepest =
+        fmt::format("{} {}", ranked.of_median ? "slope of the median error" : "slope", slope_and_reach(first));
     if (ranked.slopes.size() == 1) {
-        ranking.margin = fmt::format("converges with {} {}", slope, slope_and_reach(first));
-        ranking.said =
-            fmt::format(" the error of {} falls with {} {}", best.names.front(), slope, slope_and_reach(first));
+        ranking.margin = "converges with " + steepest;
+        ranking.said = fmt::format(" the error of {} falls with {}", best.names.front(), steepest);
     } else if (best.one()) {
-        ranking.margin = fmt::format("converges fastest ({} {})", slope, slope_and_reach(first));
-        ranking.again = fmt::format("({} {})", slope, slope_and_reach(first));
+        ranking.again = fmt::format("({})", steepest);
+        ranking.margin = "converges fastest " + ranking.again;
         ranking.said = fmt::format(" {} {}", best.names.front(), ranking.margin);
     } else {
         ranking.said = fmt::format(" {} ({} {})", best.tied("converge fastest"),
@@ -126,8 +124,7 @@ void rank_rates_of_class(const StudyResults& results, Ranking& ranking, double l
     }
     if (last.alone && !best.all)
         ranking.said += fmt::format("; {} slowest ({})", ranking.methods.back().label, slope_and_reach(last));
-    // Errors of methods without an interval, such as deterministic ones, may fall faster or more slowly than all that
-    // are ranked.
+    // Errors of methods without an interval, such as deterministic ones, may fall faster or more slowly than these.
     const auto is_beyond = [&](const studies::LadderSlopes& ladder) {
         return ladder.ladder.scene == ranking.scene &&
                std::any_of(ladder.classes.begin(), ladder.classes.end(), [&](const auto& of) {
@@ -135,9 +132,10 @@ void rank_rates_of_class(const StudyResults& results, Ranking& ranking, double l
                    return of.pair_class == ranking.pair_class && value && (*value < first.value || *value > last.value);
                });
     };
-    if (std::any_of(results.slopes.begin(), results.slopes.end(), is_beyond))
+    if (std::any_of(results.slopes.begin(), results.slopes.end(), is_beyond)) {
         ranking.caveat = "Methods without an interval are not ranked.";
-    if (!ranking.caveat.empty()) ranking.said += "; methods without an interval are not ranked";
+        ranking.said += "; methods without an interval are not ranked";
+    }
 }
 
 /// "2.1 to 2.4", how many times the error of the second is that of the first.
@@ -176,6 +174,33 @@ bool is_exact_at_all_sizes(const studies::Analysis& findings, const studies::Cel
         return other.method == cell.method && other.scene == cell.scene && error != nullptr &&
                error->rmse >= studies::rounding_error;
     });
+}
+
+/// A sentence on errors that have no variance, which rankings do not compare; empty where there are none.
+std::string which_variances_are_left_out(const studies::Analysis& findings, std::size_t scene) {
+    const bool some =
+        std::any_of(findings.cells.begin(), findings.cells.end(), [&](const studies::CellAnalysis& found) {
+            return findings.plan.cells[found.cell].scene == scene &&
+                   std::any_of(
+                       found.class_errors.begin(), found.class_errors.end(),
+                       [&](const studies::ClassError& error) { return found.has_infinite_variance(error.pair_class); });
+        });
+    return some ? "Infinite variances are not compared." : "";
+}
+
+/// The same, or else on methods that have no size in common with those of a ranking of errors.
+std::string which_errors_are_left_out(const studies::Analysis& findings, const Ranking& ranking) {
+    if (std::string some = which_variances_are_left_out(findings, ranking.scene); !some.empty()) return some;
+    const studies::StudyPlan& plan = findings.plan;
+    std::set<std::size_t> left_out;
+    for (const studies::CellAnalysis& found : findings.cells) {
+        const studies::Cell& cell = plan.cells[found.cell];
+        if (cell.scene != ranking.scene || found.class_error(ranking.pair_class) == nullptr) continue;
+        if (studies::estimator_info(plan.spec.methods[cell.method]).exact || studies::may_be_luck(plan, cell)) continue;
+        left_out.insert(cell.method);
+    }
+    for (const RankedMethod& method : ranking.methods) left_out.erase(method.method);
+    return left_out.empty() ? "" : "Methods without a common size are not compared.";
 }
 
 void rank_errors_of_class(const StudyResults& results, Ranking& ranking, double level) {
@@ -254,13 +279,11 @@ std::string sentence(const Ranking& ranking, const studies::StudyPlan& plan) {
 }
 
 std::vector<Ranking> rank_rates(const StudyResults& results) {
-    return of_each_class(results,
-                         [&](Ranking& ranking, double level) { rank_rates_of_class(results, ranking, level); });
+    return of_each_class(results, rank_rates_of_class);
 }
 
 std::vector<Ranking> rank_compared_errors(const StudyResults& results) {
-    return of_each_class(results,
-                         [&](Ranking& ranking, double level) { rank_errors_of_class(results, ranking, level); });
+    return of_each_class(results, rank_errors_of_class);
 }
 
 std::vector<Ranking> rank_variances(const StudyResults& results) {
