@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reports/text/text_style.hpp"
+#include "reports/text/text_table.hpp"
 
 #include <fmt/format.h>
 

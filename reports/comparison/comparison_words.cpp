@@ -70,6 +70,15 @@ std::string detectable_in_words(const CellComparison& cell, const studies::Detec
     return everywhere ? words : words + fmt::format(" on {} of the pairs", detectable.pairs);
 }
 
+const Scene& scene_of(const RunComparison& comparison, const CellComparison& cell) {
+    const studies::StudyPlan& plan = comparison.first.plan;
+    return plan.scenes[plan.cells[cell.first].scene];
+}
+
+std::string ratio_text(const studies::RmseRatio& ratio) {
+    return to_error_with_ends(*ratio.ratio, ratio.interval->low, ratio.interval->high, ratio.interval->width() / 2);
+}
+
 std::string independent_in_words(const RunComparison& comparison, const CellComparison& cell) {
     const double alpha = 1 - comparison.level;
     const Scene& scene = scene_of(comparison, cell);
@@ -102,11 +111,6 @@ std::string independent_in_words(const RunComparison& comparison, const CellComp
 
 }  // namespace
 
-const Scene& scene_of(const RunComparison& comparison, const CellComparison& cell) {
-    const studies::StudyPlan& plan = comparison.first.plan;
-    return plan.scenes[plan.cells[cell.first].scene];
-}
-
 std::string method_names(const RunComparison& comparison, const CellComparison& compared) {
     const auto name_in = [](const studies::StudyPlan& plan, std::size_t cell) -> const std::string& {
         return plan.spec.methods[plan.cells[cell].method].name;
@@ -120,10 +124,6 @@ std::string scene_and_method(const RunComparison& comparison, const CellComparis
     const std::string method = method_names(comparison, compared);
     const bool one_scene = comparison.first.plan.scenes.size() == 1;
     return one_scene ? method : fmt::format("{}: {}", scene_of(comparison, compared).name, method);
-}
-
-std::string ratio_text(const studies::RmseRatio& ratio) {
-    return to_error_with_ends(*ratio.ratio, ratio.interval->low, ratio.interval->high, ratio.interval->width() / 2);
 }
 
 std::string ratio_plot(const RunComparison& comparison) {

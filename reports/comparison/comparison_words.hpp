@@ -7,17 +7,11 @@
 
 namespace ff::reports {
 
-/// The scene of a cell that is compared.
-const Scene& scene_of(const studies::RunComparison& comparison, const studies::CellComparison& cell);
-
 /// The name that the method has in both runs, or that of either.
 std::string method_names(const studies::RunComparison& comparison, const studies::CellComparison& compared);
 
 /// "cube: Sobol' rays", without the scene where there is only one.
 std::string scene_and_method(const studies::RunComparison& comparison, const studies::CellComparison& compared);
-
-/// "1.10 [1.02, 1.18]". @pre there is an interval
-std::string ratio_text(const studies::RmseRatio& ratio);
 
 /// A forest plot in characters: every ratio of RMSEs with its interval. Empty where there is none.
 std::string ratio_plot(const studies::RunComparison& comparison);

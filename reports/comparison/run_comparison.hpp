@@ -1,7 +1,7 @@
 #pragma once
 
 #include "reports/templates/templates.hpp"
-#include "reports/text/text_style.hpp"
+#include "reports/text/text_table.hpp"
 #include "studies/comparison/run_comparison.hpp"
 
 #include <string>

@@ -2,6 +2,7 @@
 
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
+#include "core/support/words.hpp"
 #include "reports/csv/csv_records.hpp"
 #include "reports/text/numbers.hpp"
 #include "studies/scene_files/scene_file.hpp"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <filesystem>
 #include <set>
 #include <utility>
@@ -30,7 +30,7 @@ void expect_few_faces(const Scene& scene, std::string_view format) {
 
 /// A row including zeros.
 Eigen::VectorXd whole_row(const HandedOn& handed, Eigen::Index row) {
-    return Eigen::VectorXd(handed.factors.row(row).transpose());
+    return handed.factors.row(row).transpose();
 }
 
 // A line that View3D begins its text files with (its name, a version, out encl emit N), areas, rows, emissivities.
@@ -68,11 +68,6 @@ std::string zone_of(const Scene& scene) {
     std::replace_if(
         name.begin(), name.end(), [](char c) { return marks.find(c) != std::string_view::npos; }, '_');
     return name.substr(0, longest_name);
-}
-
-std::string in_capitals(std::string name) {
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
-    return name;
 }
 
 void expect_energyplus(const Scene& scene) {
@@ -195,19 +190,14 @@ void write_openfoam_faces(std::ostream& out, const HandedOn& handed) {
 // For each boundary element how many factors follow, then on a line each: row, column (from 1), factor. @see [elmer]
 void write_elmer(std::ostream& out, const HandedOn& handed) {
     for (Eigen::Index i = 0; i < handed.factors.rows(); ++i) {
-        std::size_t entries = 0;
-        std::string lines;
-        for (Row entry(handed.factors, i); entry; ++entry) {
-            lines += fmt::format("{} {} {}\n", entry.row() + 1, entry.col() + 1, entry.value());
-            ++entries;
-        }
-        out << fmt::format("{}\n{}", entries, lines);
+        std::vector<std::string> lines;
+        for (Row entry(handed.factors, i); entry; ++entry)
+            lines.push_back(fmt::format("{} {} {}\n", entry.row() + 1, entry.col() + 1, entry.value()));
+        out << fmt::format("{}\n{}", lines.size(), fmt::join(lines, ""));
     }
 }
 
-void expect_nothing(const Scene& scene) {
-    static_cast<void>(scene);
-}
+void expect_nothing(const Scene& /*scene*/) {}
 
 constexpr std::array known_files{
     ProgramFile{"view3d", "view3d.txt", expect_view3d, write_view3d},

@@ -50,9 +50,9 @@ std::string name_of(const studies::StudyPlan& plan, const Contest& contest, std:
     const std::string& name = plan.spec.methods[cell.method].name;
     const auto same = std::count_if(contest.entrants.begin(), contest.entrants.end(),
                                     [&](const auto& other) { return plan.cells[other.cell].method == cell.method; });
-    return same > 1 ? fmt::format("{} ({} {})", name, cell.subdivision.per_part(),
-                                  cell.subdivision.per_part() == 1 ? "patch" : "patches")
-                    : name;
+    if (same == 1) return name;
+    const auto patches = cell.subdivision.per_part();
+    return fmt::format("{} ({} {})", name, patches, patches == 1 ? "patch" : "patches");
 }
 
 /// "b  2.31 [2.10, 2.55]": the group, and the ratio to the first.
@@ -62,18 +62,19 @@ std::string standing(const Contest& contest, std::size_t entrant) {
     const auto found = std::find_if(contest.handicaps.begin(), contest.handicaps.end(), [&](const auto& handicap) {
         return handicap.better == 0 && handicap.worse == entrant;
     });
-    if (!found->interval) return fmt::format("{}  {}", group, brief(found->ratio));
-    return fmt::format("{}  {} [{}, {}]", group, brief(found->ratio), brief(found->interval->low),
-                       brief(found->interval->high));
+    return fmt::format(
+        "{}  {}", group,
+        found->interval ? with_ends(found->ratio, found->interval->low, found->interval->high) : brief(found->ratio));
 }
 
 std::string kind_of(PairClass pair_class, bool may_be_occluded) {
     return fmt::format("{}{}", name(pair_class), may_be_occluded ? ", maybe occluded" : "");
 }
 
-std::vector<Equal> shown(bool timed) {
-    return timed ? std::vector{Equal::evaluations, Equal::processor_time, Equal::error}
-                 : std::vector{Equal::evaluations, Equal::error};
+/// What is equal where one table has room for one comparison.
+Equal equal_for_one(const studies::StudyResults& results, bool timed) {
+    const bool measured = timed && !studies::main_contests(results.contests, Equal::processor_time).empty();
+    return measured ? Equal::processor_time : Equal::evaluations;
 }
 
 constexpr std::string_view measured_elsewhere =
@@ -89,7 +90,8 @@ Table side_by_side(const studies::StudyResults& results, bool timed) {
                 "their group share its letter.",
                 columns({"method", "pairs"})};
     std::vector<std::vector<const Contest*>> columns;
-    for (const Equal equal : shown(timed)) {
+    for (const Equal equal : {Equal::evaluations, Equal::processor_time, Equal::error}) {
+        if (equal == Equal::processor_time && !timed) continue;
         auto contests = studies::main_contests(results.contests, equal);
         if (contests.empty()) continue;
         table.columns.push_back(
@@ -164,14 +166,12 @@ Table best_of_scenes(const studies::StudyResults& results, Equal equal) {
 
 Table contests_table(const studies::StudyResults& results, bool timed) {
     if (results.findings.plan.scenes.size() == 1) return side_by_side(results, timed);
-    const bool measured = timed && !studies::main_contests(results.contests, Equal::processor_time).empty();
-    return best_of_scenes(results, measured ? Equal::processor_time : Equal::evaluations);
+    return best_of_scenes(results, equal_for_one(results, timed));
 }
 
 Table decisions_table(const studies::StudyResults& results, bool timed) {
     const studies::StudyPlan& plan = results.findings.plan;
-    const bool measured = timed && !studies::main_contests(results.contests, Equal::processor_time).empty();
-    const Equal equal = measured ? Equal::processor_time : Equal::evaluations;
+    const Equal equal = equal_for_one(results, timed);
     Table table{
         "decisions", fmt::format("Which method to take, at {}", in_words(equal)),
         "Of each kind of pairs the methods that are best in the most scenes: nothing is shown to have a smaller "

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "reports/text/table.hpp"
-#include "reports/text/text_style.hpp"
+#include "reports/text/text_table.hpp"
 #include "reports/words/scene_reports.hpp"
 
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reports/text/text_style.hpp"
+#include "reports/text/text_table.hpp"
 #include "studies/gates/gate_plan.hpp"
 #include "studies/plan/plan.hpp"
 #include "studies/results/results.hpp"

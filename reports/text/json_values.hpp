@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <optional>
 
 namespace ff::reports {
@@ -18,9 +19,18 @@ Json optional_json(const std::optional<Value>& value) {
 }
 
 /// The number; null where it is infinite or not a number, which JSON cannot say.
-Json finite_json(double value);
+inline Json finite_json(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
 
 /// low, high (null where infinite), level, method and n; or null.
-Json interval_json(const std::optional<stats::Interval>& interval);
+inline Json interval_json(const std::optional<stats::Interval>& interval) {
+    if (!interval) return nullptr;
+    return {{"low", finite_json(interval->low)},
+            {"high", finite_json(interval->high)},
+            {"level", interval->level},
+            {"method", interval->method},
+            {"n", interval->n}};
+}
 
 }  // namespace ff::reports

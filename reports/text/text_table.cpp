@@ -2,11 +2,31 @@
 
 #include "reports/text/folding.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string_view>
 #include <vector>
 
 namespace ff::reports {
 namespace {
+
+std::string_view code_of(Mark mark) {
+    switch (mark) {
+        case Mark::good:
+            return "\033[32m";
+        case Mark::bad:
+            return "\033[31m";
+        case Mark::open:
+            return "\033[33m";
+        case Mark::misprint:
+        case Mark::surprising:
+            return "\033[1m";
+        case Mark::none:
+            break;
+    }
+    return "";
+}
 
 constexpr std::size_t gap = 2;
 constexpr std::size_t indent = 4;  // of lines that continue a row
@@ -65,6 +85,11 @@ std::string row_text(const Table& table, const std::vector<SetColumn>& columns, 
 }
 
 }  // namespace
+
+std::string painted(const std::string& text, Mark mark, Colour colour) {
+    if (colour == Colour::none || mark == Mark::none || text.empty()) return text;
+    return fmt::format("{}{}\033[0m", code_of(mark), text);
+}
 
 std::string text_table(const Table& table, const TextStyle& style) {
     const auto columns = set_columns(table, style.width);

@@ -1,13 +1,24 @@
 #pragma once
 
 #include "reports/text/table.hpp"
-#include "reports/text/text_style.hpp"
 
 #include <cstddef>
+#include <limits>
 #include <string>
-#include <string_view>
 
 namespace ff::reports {
+
+/// Whether a terminal is to show colours.
+enum class Colour { none, ansi };
+
+/// The text in the colour of its mark: green good, red bad, yellow open, bold surprising.
+std::string painted(const std::string& text, Mark mark, Colour colour);
+
+/// The capabilities of a terminal. A file, as another destination, has no colours and unlimited width.
+struct TextStyle {
+    Colour colour = Colour::none;
+    std::size_t width = std::numeric_limits<std::size_t>::max();  ///< columns
+};
 
 /// The columns of a table for a terminal, as wide as they have to be: titles of groups, titles, rows. Where a row is
 /// wider than the terminal, the columns that do not fit continue on indented lines below it. Title, note and remarks
