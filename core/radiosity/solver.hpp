@@ -17,7 +17,7 @@ enum class Solver {
     jacobi,                  ///< all patches from the values of the previous sweep [young1971]
     gauss_seidel,            ///< each patch from the newest values: gathering
     sor,                     ///< Gauss-Seidel, each change multiplied by SolverOptions::relaxation
-    chebyshev,               ///< m + P F m accelerated, eigenvalues known to lie within ± a bound [golub1961]
+    chebyshev,               ///< m + P F m accelerated, for eigenvalues within ± the largest reflectance [golub1961]
     conjugate_gradient,      ///< Eigen's, on the symmetrised system; factors that are not reciprocal mislead it
     progressive_refinement,  ///< Southwell's relaxation: the patch with most unshot power shoots [cohen1988]
     overshooting,            ///< the same, each shot with an estimate of what will come back [feda1992]
@@ -39,9 +39,6 @@ struct SolverOptions {
     double tolerance = 1e-6;  ///< limit of the residual: largest |e - G m| <= tolerance * largest e
     std::size_t most_iterations = 100'000;
     double relaxation = 1.1;  ///< factor on each change by `sor`, in (0, 2)
-    /// Bound on the eigenvalues for `chebyshev`, in [0, 1). Empty: the largest reflectance, which holds for factors
-    /// without errors.
-    std::optional<double> spectral_bound = {};
 };
 
 enum class SolverOutcome {

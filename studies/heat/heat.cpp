@@ -99,7 +99,6 @@ FaceFlow flow_of(const Material& material, double area, Bounds irradiation, cons
     flow.irradiation = irradiation;
     const double reflected = material.reflected();
     if (material.is_light() || material.temperature) {
-        flow.given = true;
         const double emitted = emitted_by(material);
         flow.radiosity = {emitted + reflected * irradiation.low, emitted + reflected * irradiation.high};
         flow.net = {emitted - (1 - reflected) * irradiation.high, emitted - (1 - reflected) * irradiation.low};

@@ -49,7 +49,6 @@ struct FaceFlow {
     Bounds net;          ///< W/m², out of the face: radiosity minus irradiation
     Bounds power;        ///< W, net times area
     Bounds temperature;  ///< K; 0 for light
-    bool given = false;  ///< the temperature was given, and the flux follows; otherwise the reverse
 };
 
 struct Flows {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/radiosity/properties.hpp"
+#include "core/radiosity/system.hpp"
 #include "core/radiosity/solver.hpp"
 #include "stats/basics/interval.hpp"
 #include "studies/radiosity/treatment.hpp"

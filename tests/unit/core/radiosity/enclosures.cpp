@@ -2,7 +2,7 @@
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/exact/exact.hpp"
-#include "core/radiosity/properties.hpp"
+#include "core/radiosity/system.hpp"
 #include "core/radiosity/solver.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/radiosity/properties.hpp"
+#include "core/radiosity/system.hpp"
 
 #include "core/radiosity/enclosures.hpp"
 #include "tests/unit/core/radiosity/systems.hpp"

@@ -1,6 +1,6 @@
 #include "core/radiosity/repair.hpp"
 
-#include "core/radiosity/properties.hpp"
+#include "core/radiosity/system.hpp"
 #include "tests/unit/core/radiosity/systems.hpp"
 
 #include <gtest/gtest.h>

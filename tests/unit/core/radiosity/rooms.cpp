@@ -7,7 +7,7 @@
 #include "core/exact/exact_rooms.hpp"
 #include "core/radiosity/enclosures.hpp"
 #include "core/radiosity/patch_factors.hpp"
-#include "core/radiosity/properties.hpp"
+#include "core/radiosity/system.hpp"
 #include "core/support/error.hpp"
 #include "core/visibility/facing.hpp"
 #include "core/visibility/mirrors.hpp"

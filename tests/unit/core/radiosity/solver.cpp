@@ -1,7 +1,7 @@
 #include "core/radiosity/solver.hpp"
 
 #include "core/radiosity/enclosures.hpp"
-#include "core/radiosity/properties.hpp"
+#include "core/radiosity/system.hpp"
 #include "tests/unit/core/radiosity/systems.hpp"
 
 #include <gtest/gtest.h>
