@@ -6,8 +6,7 @@
 #include "core/support/error.hpp"
 #include "reports/files/array_files.hpp"
 #include "reports/text/labels.hpp"
-#include "studies/radiosity/lighting.hpp"
-#include "studies/radiosity/treatment.hpp"
+#include "studies/radiosity/systems.hpp"
 
 #include <fmt/format.h>
 

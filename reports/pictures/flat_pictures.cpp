@@ -5,7 +5,7 @@
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/findings/radiosity_words.hpp"
-#include "studies/radiosity/lighting.hpp"
+#include "studies/radiosity/systems.hpp"
 
 #include <fmt/format.h>
 

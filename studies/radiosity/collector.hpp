@@ -1,7 +1,7 @@
 #pragma once
 
 #include "studies/radiosity/consequences.hpp"
-#include "studies/radiosity/lighting.hpp"
+#include "studies/radiosity/systems.hpp"
 
 #include <functional>
 #include <span>

@@ -2,7 +2,7 @@
 
 #include "core/radiosity/patch_factors.hpp"
 #include "studies/plan/patch_systems.hpp"
-#include "studies/radiosity/treatment.hpp"
+#include "studies/radiosity/systems.hpp"
 
 #include <algorithm>
 #include <cmath>

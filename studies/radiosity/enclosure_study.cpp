@@ -5,7 +5,7 @@
 #include "core/support/nearest_name.hpp"
 #include "core/support/words.hpp"
 #include "studies/radiosity/collector.hpp"
-#include "studies/radiosity/lighting.hpp"
+#include "studies/radiosity/systems.hpp"
 
 #include <fmt/format.h>
 

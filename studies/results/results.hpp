@@ -16,7 +16,6 @@
 #include "studies/diagnostics/variance_check.hpp"
 #include "studies/diagnostics/variance_reduction.hpp"
 #include "studies/published/published.hpp"
-#include "studies/radiosity/bias_order.hpp"
 #include "studies/radiosity/consequences.hpp"
 #include "studies/trials/until.hpp"
 

@@ -2,7 +2,6 @@
 
 #include "core/exact/exact.hpp"
 #include "core/support/error.hpp"
-#include "studies/radiosity/bias_order.hpp"
 #include "studies/radiosity/cost.hpp"
 #include "studies/results/results.hpp"
 #include "tests/support/studies.hpp"
