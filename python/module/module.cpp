@@ -6,7 +6,7 @@
 #include "core/support/error.hpp"
 #include "core/visibility/mirrors.hpp"
 #include "samplers/point_sets/draw_set.hpp"
-#include "studies/form_factors/added_faces.hpp"
+#include "studies/form_factors/amendments.hpp"
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/outside/outside_code.hpp"
 #include "studies/readers/text_file.hpp"

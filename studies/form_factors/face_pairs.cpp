@@ -4,7 +4,6 @@
 #include "core/geometry/surface_map.hpp"
 #include "core/support/error.hpp"
 #include "core/support/free_memory.hpp"
-#include "studies/form_factors/look_at_pairs.hpp"
 
 #include <fmt/format.h>
 
@@ -265,7 +264,7 @@ FacePairs examine_pairs(const Scene& scene, const Request& request) {
         add_resolution(scene, result);
         return result;
     }
-    add_up(scene, look_at_pairs(scene, result, request), request, result);
+    add_up(scene, look_at_pairs(scene, result.areas, *result.occluders, request), request, result);
     for (FacePair& pair : result.pairs) {
         const std::span<const SampledPair> surfaces = result.surfaces_of(pair);
         pair.by_cells = pair.count <= most_pairs_by_cells &&

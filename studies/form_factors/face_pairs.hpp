@@ -2,7 +2,7 @@
 
 #include "core/geometry/scene.hpp"
 #include "studies/form_factors/request.hpp"
-#include "studies/form_factors/sampled_pairs.hpp"
+#include "studies/form_factors/surface_pairs.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -29,16 +29,6 @@ std::vector<std::vector<std::uint32_t>> by_face(const Pairs& pairs, std::size_t 
     }
     return result;
 }
-
-/// Two faces (or one with itself) whose exchange area is known within a bound.
-struct KnownPair {
-    std::uint32_t from = 0;  ///< at most `to`
-    std::uint32_t to = 0;
-    double value = 0;                                     ///< in squared units of length
-    double bound = 0;                                     ///< bound of the error of `value`
-    ExchangeMethod method = ExchangeMethod::none;         ///< the most expensive that a pair of surfaces needs
-    ExchangeReason reason = ExchangeReason::turned_away;  ///< why `method` is needed
-};
 
 /// Two faces (or one with itself) that are sampled: the known part of their exchange area, and the part that is left.
 struct FacePair {

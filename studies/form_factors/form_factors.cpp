@@ -4,9 +4,8 @@
 #include "core/geometry/placement.hpp"
 #include "core/support/error.hpp"
 #include "stats/error_rates/multiplicity.hpp"
-#include "studies/form_factors/added_faces.hpp"
+#include "studies/form_factors/amendments.hpp"
 #include "studies/form_factors/matrix_builder.hpp"
-#include "studies/form_factors/repair.hpp"
 #include "studies/form_factors/sample_pairs.hpp"
 
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "core/points/stream.hpp"
 #include "core/tracing/tracer.hpp"
 #include "studies/form_factors/face_pairs.hpp"
-#include "studies/form_factors/sampled_share.hpp"
+#include "studies/form_factors/sampled_row.hpp"
 
 #include <atomic>
 #include <cstdint>

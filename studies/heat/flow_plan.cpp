@@ -1,4 +1,4 @@
-#include "studies/heat/flow_plan.hpp"
+#include "studies/heat/flow_sampling.hpp"
 
 #include <Eigen/IterativeLinearSolvers>
 

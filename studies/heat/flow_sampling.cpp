@@ -1,7 +1,5 @@
 #include "studies/heat/flow_sampling.hpp"
 
-#include "studies/heat/flow_plan.hpp"
-
 #include "core/points/stream.hpp"
 
 #include <fmt/format.h>

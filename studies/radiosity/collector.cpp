@@ -37,12 +37,13 @@ double error_of(const Eigen::MatrixXd& factors, const Eigen::MatrixXd& exact, co
     return (factors - exact).norm() / std::sqrt(static_cast<double>(pairs));
 }
 
-}  // namespace
-
+/// @pre values not empty
 OverTrials over_trials(std::span<const double> values) {
     const auto ascending = stats::sorted(values);
     return {ascending.front(), stats::quantile(ascending, 0.5), ascending.back()};
 }
+
+}  // namespace
 
 void SolverRuns::add(const RadiositySystem& system, const SolverOptions& options) {
     if (solvers_.empty()) {

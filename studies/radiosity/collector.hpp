@@ -9,9 +9,6 @@
 
 namespace ff::studies::radiosity {
 
-/// @pre values not empty
-OverTrials over_trials(std::span<const double> values);
-
 /// Runs every solver on the systems of some trials and collects the results.
 class SolverRuns {
   public:

@@ -25,6 +25,10 @@ constexpr double seconds_of_elimination = 6e-11;  // a floating-point operation
 constexpr double passes_over_a_matrix = 150;      // properties, balancing, conditions
 constexpr double passes_of_solvers = 10;          // all solvers, for each iteration of Jacobi's
 
+/// Limit of the total cost of all solvers on one system between patches: near reflectance 1 they need thousands of
+/// iterations.
+constexpr double most_seconds_of_solvers = 10;
+
 /// Iterations of Jacobi's method to the tolerance, by the largest reflectance.
 double iterations(const RadiosityRequest& request, const std::vector<double>& reflectance) {
     const double largest = *std::max_element(reflectance.begin(), reflectance.end());

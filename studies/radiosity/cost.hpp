@@ -7,10 +7,6 @@
 
 namespace ff::studies::radiosity {
 
-/// Limit of the total cost of all solvers on one system between patches: near reflectance 1 they need thousands of
-/// iterations.
-inline constexpr double most_seconds_of_solvers = 10;
-
 /// Whether solvers are run between this many patches at a setting: where their expected cost is within the limit.
 bool runs_solvers(const StudyPlan& plan, double patches, std::size_t setting);
 

@@ -7,7 +7,7 @@
 #include "reports/csv/scene_csv.hpp"
 #include "reports/json/form_factors_json.hpp"
 #include "reports/terminal/scene_terminal.hpp"
-#include "studies/form_factors/repair.hpp"
+#include "studies/form_factors/amendments.hpp"
 #include "studies/form_factors/store/store.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "tests/fuzz/damaged_file.hpp"

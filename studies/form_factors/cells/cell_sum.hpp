@@ -4,7 +4,7 @@
 #include "core/points/stream.hpp"
 #include "studies/form_factors/cells/divided_source.hpp"
 #include "studies/form_factors/face_pairs.hpp"
-#include "studies/form_factors/sampled_share.hpp"
+#include "studies/form_factors/sampled_row.hpp"
 
 #include <cstdint>
 

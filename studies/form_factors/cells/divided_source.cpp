@@ -1,7 +1,7 @@
 #include "studies/form_factors/cells/divided_source.hpp"
 
 #include "core/geometry/surface_map.hpp"
-#include "studies/form_factors/sampled_share.hpp"
+#include "studies/form_factors/sampled_row.hpp"
 
 #include <algorithm>
 #include <array>

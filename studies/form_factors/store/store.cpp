@@ -1,8 +1,7 @@
 #include "studies/form_factors/store/store.hpp"
 
 #include "core/support/contract.hpp"
-#include "studies/form_factors/added_faces.hpp"
-#include "studies/form_factors/repair.hpp"
+#include "studies/form_factors/amendments.hpp"
 #include "studies/form_factors/store/stored_request.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "studies/store/store_format.hpp"

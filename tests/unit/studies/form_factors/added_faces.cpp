@@ -1,4 +1,4 @@
-#include "studies/form_factors/added_faces.hpp"
+#include "studies/form_factors/amendments.hpp"
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/support/error.hpp"

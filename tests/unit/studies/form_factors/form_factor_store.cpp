@@ -1,7 +1,7 @@
 #include "studies/form_factors/store/store.hpp"
 
 #include "core/support/error.hpp"
-#include "studies/form_factors/repair.hpp"
+#include "studies/form_factors/amendments.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "tests/support/earlier_stores.hpp"
 #include "tests/support/studies.hpp"

@@ -1,4 +1,4 @@
-#include "studies/form_factors/sampled_share.hpp"
+#include "studies/form_factors/sampled_row.hpp"
 
 #include "stats/basics/binomial.hpp"
 #include "stats/means/mean_interval.hpp"

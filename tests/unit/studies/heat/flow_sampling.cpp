@@ -2,7 +2,6 @@
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/support/error.hpp"
-#include "studies/heat/flow_plan.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "tests/support/known_flows.hpp"
 

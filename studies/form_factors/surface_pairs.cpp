@@ -1,6 +1,8 @@
-#include "studies/form_factors/look_at_pairs.hpp"
+#include "studies/form_factors/surface_pairs.hpp"
 
+#include "core/support/contract.hpp"
 #include "core/support/error.hpp"
+#include "studies/form_factors/face_pairs.hpp"
 #include "studies/run/parallel.hpp"
 
 #include <fmt/format.h>
@@ -9,10 +11,13 @@
 #include <limits>
 #include <mutex>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace ff::studies::form_factors {
 namespace {
+
+constexpr std::uint32_t faced_ends = 3;
 
 /// The least exchange area that is kept, for each surface. It is 0 for surfaces that share a face, whose exchange is
 /// not known before it is added up.
@@ -51,16 +56,65 @@ void expect_few_unknown(const Scene& scene) {
 
 }  // namespace
 
-std::vector<Seen> look_at_pairs(const Scene& scene, const FacePairs& known, const Request& request) {
+void SampledPairs::add(std::uint32_t face, std::uint32_t other_face, std::uint32_t from, std::uint32_t to,
+                       const PairExchange& exchange) {
+    FF_EXPECT(exchange.blockers.size() <= std::numeric_limits<std::uint16_t>::max());
+    const auto first = static_cast<std::uint32_t>(blockers_.size());
+    for (const Blocker& blocker : exchange.blockers) {
+        const auto wall = static_cast<std::uint32_t>(blocker.surface - walls_.data());
+        blockers_.push_back(wall * faced_ends + static_cast<std::uint32_t>(blocker.faces));
+    }
+    constexpr double unknown = std::numeric_limits<double>::infinity();
+    pairs_.push_back({face, other_face, from, to, first, static_cast<std::uint16_t>(exchange.blockers.size()),
+                      exchange.reason, exchange.method, exchange.area.value_or(BoundedValue<double>{unknown, 0})});
+}
+
+void SampledPairs::add(const SampledPair& pair, const SampledPairs& others) {
+    pairs_.push_back(pair);
+    pairs_.back().first_blocker = static_cast<std::uint32_t>(blockers_.size());
+    const auto blockers = std::span(others.blockers_).subspan(pair.first_blocker, pair.blockers);
+    blockers_.insert(blockers_.end(), blockers.begin(), blockers.end());
+}
+
+void SampledPairs::reserve(std::size_t pairs, std::size_t blockers) {
+    pairs_.reserve(pairs);
+    blockers_.reserve(blockers);
+}
+
+void SampledPairs::sort() {
+    const auto place = [](const SampledPair& pair) {
+        return std::tuple(pair.face, pair.other_face, pair.from, pair.to);
+    };
+    std::sort(pairs_.begin(), pairs_.end(),
+              [&](const SampledPair& a, const SampledPair& b) { return place(a) < place(b); });
+}
+
+void SampledPairs::shrink_to_fit() {
+    pairs_.shrink_to_fit();
+    blockers_.shrink_to_fit();
+}
+
+PairExchange SampledPairs::exchange(const SampledPair& pair) const {
+    PairExchange result;
+    result.method = pair.method;
+    result.reason = pair.reason;
+    result.area = pair.is_whole_known() ? std::optional(pair.whole) : std::nullopt;
+    for (const std::uint32_t blocker : std::span(blockers_).subspan(pair.first_blocker, pair.blockers))
+        result.blockers.emplace_back(&walls_[blocker / faced_ends], static_cast<FacedEnd>(blocker % faced_ends));
+    return result;
+}
+
+std::vector<Seen> look_at_pairs(const Scene& scene, const std::vector<double>& areas, const Occluders& occluders,
+                                const Request& request) {
     constexpr double most_in_part = 1 << 16;
     const auto n = static_cast<double>(scene.surfaces.size());
-    const double smallest = *std::min_element(known.areas.begin(), known.areas.end());
+    const double smallest = *std::min_element(areas.begin(), areas.end());
     // Errors of all pairs of surfaces add up.
     const double wanted = request.tolerance * smallest / 8 / n;
     const std::vector<double> below = least_kept(scene, request.drop);
     const PairExchange unknown{ExchangeMethod::rays, ExchangeReason::many_surfaces, std::nullopt, {}};
-    const std::vector<Occluders::Visit> visits = known.occluders->visits(most_in_part);
-    std::vector<Seen> parts(visits.size(), Seen{{}, SampledPairs(*known.occluders), {}});
+    const std::vector<Occluders::Visit> visits = occluders.visits(most_in_part);
+    std::vector<Seen> parts(visits.size(), Seen{{}, SampledPairs(occluders), {}});
     std::mutex reporting;
     double looked_at = 0;
     for_each_index(visits.size(), request.threads, [&](std::uint64_t v) {
@@ -85,14 +139,14 @@ std::vector<Seen> look_at_pairs(const Scene& scene, const FacePairs& known, cons
                 part.known.push_back({a, b, times * exchange.area->value, times * exchange.area->error, exchange.method,
                                       exchange.reason});
         };
-        known.occluders->see(visits[v], see);
+        occluders.see(visits[v], see);
         part.known.shrink_to_fit();
         part.open.shrink_to_fit();
         if (!request.report) return;
         const std::lock_guard lock(reporting);
         looked_at += visits[v].pairs;
         const double share = std::min(1.0, looked_at / (0.5 * n * (n + 1)));
-        request.report({Progress::Stage::looking, 0, share, 0, 0, pairs_of(known.faces())});
+        request.report({Progress::Stage::looking, 0, share, 0, 0, pairs_of(areas.size())});
     });
     return parts;
 }

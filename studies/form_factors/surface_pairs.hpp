@@ -1,7 +1,9 @@
 #pragma once
 
 #include "core/exact/pair_exchange.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/visibility/occluders.hpp"
+#include "studies/form_factors/request.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -10,6 +12,16 @@
 #include <vector>
 
 namespace ff::studies::form_factors {
+
+/// Two faces (or one with itself) whose exchange area is known within a bound.
+struct KnownPair {
+    std::uint32_t from = 0;  ///< at most `to`
+    std::uint32_t to = 0;
+    double value = 0;                                     ///< in squared units of length
+    double bound = 0;                                     ///< bound of the error of `value`
+    ExchangeMethod method = ExchangeMethod::none;         ///< the most expensive that a pair of surfaces needs
+    ExchangeReason reason = ExchangeReason::turned_away;  ///< why `method` is needed
+};
 
 /// Two surfaces whose exchange has to be sampled, and their faces. There may be millions.
 struct SampledPair {
@@ -56,5 +68,26 @@ class SampledPairs {
     std::vector<SampledPair> pairs_;
     std::vector<std::uint32_t> blockers_;  ///< index of the wall, and which end it has to face
 };
+
+/// A dropped pair needs little memory.
+struct DroppedPair {
+    std::uint32_t from = 0;
+    std::uint32_t to = 0;
+    float least = 0;
+    float most = 0;
+};
+
+/// What was found in a visit.
+struct Seen {
+    std::vector<KnownPair> known;  ///< pairs of faces, one entry for each pair of surfaces
+    SampledPairs open;
+    std::vector<DroppedPair> dropped;
+};
+
+/// Looks at each pair of surfaces that belong to faces. @return what was found, part by part
+/// @param areas  of the faces
+/// @throws InterruptedError where the request is stopped and there are more pairs than can be kept as unknown
+std::vector<Seen> look_at_pairs(const Scene& scene, const std::vector<double>& areas, const Occluders& occluders,
+                                const Request& request);
 
 }  // namespace ff::studies::form_factors
