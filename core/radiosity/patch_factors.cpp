@@ -131,8 +131,7 @@ Eigen::VectorXd patch_areas(const Scene& scene, Subdivision subdivision) {
 
 Sight patch_sight(const Scene& scene, Subdivision subdivision) {
     std::vector<Surface> all = patches_of(scene, subdivision);
-    all.erase(std::remove_if(all.begin(), all.end(), [](const Surface& patch) { return !is_of_face(patch); }),
-              all.end());
+    std::erase_if(all, [](const Surface& patch) { return !is_of_face(patch); });
     std::vector<std::vector<Surface>> places;  // itself and its images
     for (const Surface& patch : all) places.push_back(images(scene, patch).value_or(std::vector{patch}));
     const auto patches = static_cast<Eigen::Index>(all.size());

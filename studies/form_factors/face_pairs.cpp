@@ -97,7 +97,7 @@ std::vector<KnownPair> known_of(std::vector<Seen>& parts) {
     return all;
 }
 
-/// The same.
+/// The sampled pairs of all parts, in order.
 SampledPairs sampled_of(std::vector<Seen>& parts, const Occluders& occluders) {
     std::size_t pairs = 0;
     std::size_t blockers = 0;
@@ -167,7 +167,7 @@ void add(FacePair& pair, const Scene& scene, const SampledPair& open) {
     ++pair.count;
 }
 
-/// Adds known pairs of the same faces up.
+/// Adds up the known pairs of the same faces.
 void merge_same(std::vector<KnownPair>& known) {
     std::size_t size = 0;
     for (const KnownPair& pair : known) {

@@ -41,8 +41,8 @@ void expect_sense(const Request& request) {
 }
 
 void expect_possible(const Scene& scene, const FacePairs& geometry, const Request& request) {
-    const bool needs_rays = std::any_of(geometry.pairs.begin(), geometry.pairs.end(),
-                                        [&](const FacePair& pair) { return !pair.by_cells || !request.cells; });
+    const bool needs_rays =
+        request.cells ? !std::ranges::all_of(geometry.pairs, &FacePair::by_cells) : !geometry.pairs.empty();
     if (needs_rays && request.tolerance < least_tolerance_of_rays) {
         throw UserError(
             fmt::format("--tolerance {:g}: some pairs of scene '{}' have to be sampled by rays (which are "
@@ -54,9 +54,7 @@ void expect_possible(const Scene& scene, const FacePairs& geometry, const Reques
 /// Drops the pairs that are known to exchange little, now that they have been sampled.
 void drop(Matrix& matrix, std::vector<DroppedExchange> dropped, double below) {
     std::erase_if(matrix.exchanges, [&](const FaceExchange& exchange) {
-        if (exchange.from == exchange.to ||
-            exchange.high >= below * std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]))
-            return false;
+        if (exchange.from == exchange.to || exchange.high >= below * matrix.smaller_area(exchange)) return false;
         add_dropped(dropped, exchange.from, exchange.to, exchange.value, exchange.low, exchange.high);
         return true;
     });
@@ -114,8 +112,8 @@ void judge_closure(Matrix& matrix, const std::vector<std::pair<std::uint64_t, st
     for (FaceExchange& exchange : matrix.exchanges) {
         const Misses& from = misses[exchange.from];
         const Misses& to = misses[exchange.to];
-        const double smaller = std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]);
-        exchange.high = std::min(std::max(exchange.high, smaller), exchange.high + common(from.missing, to.missing));
+        const double limit = std::max(exchange.high, matrix.smaller_area(exchange));
+        exchange.high = std::min(limit, exchange.high + common(from.missing, to.missing));
         exchange.low = std::max(0.0, exchange.low - common(from.excess, to.excess));
         exchange.within = is_within(matrix, exchange, request);
     }
@@ -216,15 +214,13 @@ Matrix::Sparse Matrix::half_widths() const {
 }
 
 std::size_t Matrix::missed() const {
-    return static_cast<std::size_t>(std::count_if(exchanges.begin(), exchanges.end(),
-                                                  [](const FaceExchange& exchange) { return !exchange.within; }));
+    return static_cast<std::size_t>(std::ranges::count(exchanges, false, &FaceExchange::within));
 }
 
 bool is_trusted(const Scene& scene, const Matrix& matrix, double tolerance) {
     if (!matrix.faults.empty()) return false;
     if (!scene.closed && !scene.empty_box) return true;
-    return !leaks(matrix, tolerance) &&
-           std::none_of(matrix.rows.begin(), matrix.rows.end(), [](const RowSum& row) { return row.excludes_one; });
+    return !leaks(matrix, tolerance) && std::ranges::none_of(matrix.rows, &RowSum::excludes_one);
 }
 
 bool leaks(const Matrix& matrix, double tolerance) {
@@ -232,14 +228,14 @@ bool leaks(const Matrix& matrix, double tolerance) {
 }
 
 bool is_within(const Matrix& matrix, const FaceExchange& exchange, const Request& request) {
-    const double factor = exchange.value / std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]);
+    const double factor = exchange.value / matrix.smaller_area(exchange);
     return !exchange.contradicted &&
            worst_half_width(matrix, exchange) <=
                std::max(request.tolerance_between(exchange.from, exchange.to), request.relative * factor);
 }
 
 double worst_half_width(const Matrix& matrix, const FaceExchange& exchange) {
-    return half_width(exchange) / std::min(matrix.areas[exchange.from], matrix.areas[exchange.to]);
+    return half_width(exchange) / matrix.smaller_area(exchange);
 }
 
 Matrix find_matrix(const Scene& whole_scene, const Request& request) {
@@ -262,7 +258,7 @@ Matrix find_matrix(const Scene& whole_scene, const Request& request) {
     matrix.entry_level = 1 - alpha;
 
     std::vector<std::pair<std::uint64_t, std::uint64_t>> lost(matrix.faces());
-    MatrixBuilder builder(matrix, geometry, geometry.known, request, alpha);
+    MatrixBuilder builder(matrix, geometry, request, alpha);
     std::exchange(geometry.known, {});  // they are in the matrix now
     if (sampled > 0 && !matrix.interrupted) {
         const SamplingOutcome outcome =

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -109,6 +110,10 @@ struct Matrix {
     [[nodiscard]] Sparse factors() const;
     /// The larger halves of all intervals.
     [[nodiscard]] Sparse half_widths() const;
+    /// Area of the smaller of its faces.
+    [[nodiscard]] double smaller_area(const FaceExchange& exchange) const {
+        return std::min(areas[exchange.from], areas[exchange.to]);
+    }
     [[nodiscard]] std::size_t missed() const;  ///< pairs of faces that are not within the tolerance
 };
 

@@ -103,21 +103,20 @@ EstimatedSum RowSums::at(std::size_t face, double level) const {
     return with_means(result, means, row.unmet[static_cast<std::size_t>(known - levels_.begin())], level);
 }
 
-MatrixBuilder::MatrixBuilder(Matrix& matrix, const FacePairs& geometry, const std::vector<KnownPair>& known_pairs,
-                             const Request& request, double alpha)
+MatrixBuilder::MatrixBuilder(Matrix& matrix, const FacePairs& geometry, const Request& request, double alpha)
     : matrix_(matrix),
       geometry_(geometry),
       request_(request),
       levels_{round_level(alpha, 0), round_level(alpha, 1)},
       sums_(geometry.areas, {levels_[0], levels_[1], alarm_level(geometry.faces())}),
       row_levels_(geometry.faces(), levels_[0]) {
-    auto known = known_pairs.begin();
+    auto known = geometry.known.begin();
     const auto add_known_before = [&](std::uint32_t from, std::uint32_t to) {
-        for (; known != known_pairs.end() && std::pair(known->from, known->to) < std::pair(from, to); ++known)
+        for (; known != geometry.known.end() && std::pair(known->from, known->to) < std::pair(from, to); ++known)
             matrix_.exchanges.push_back(
                 face_exchange(*known, std::min(matrix.areas[known->from], matrix.areas[known->to])));
     };
-    matrix_.exchanges.reserve(known_pairs.size() + geometry.pairs.size());
+    matrix_.exchanges.reserve(geometry.known.size() + geometry.pairs.size());
     for (const FacePair& pair : geometry.pairs) {
         add_known_before(pair.from, pair.to);
         places_.push_back(static_cast<std::uint32_t>(matrix_.exchanges.size()));

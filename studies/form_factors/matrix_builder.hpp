@@ -53,10 +53,8 @@ class RowSums {
 class MatrixBuilder {
   public:
     /// References are kept. The matrix gets its exchanges; sampled ones begin with their geometric bounds.
-    /// @param matrix  with its areas @param known  pairs beside those that are sampled, in order
-    /// @param alpha  1 - level of a pair's interval
-    MatrixBuilder(Matrix& matrix, const FacePairs& geometry, const std::vector<KnownPair>& known,
-                  const Request& request, double alpha);
+    /// @param matrix  with its areas @param alpha  1 - level of a pair's interval
+    MatrixBuilder(Matrix& matrix, const FacePairs& geometry, const Request& request, double alpha);
 
     /// @param p  place in FacePairs::pairs
     void take(std::size_t p, const PairEstimate& estimate);

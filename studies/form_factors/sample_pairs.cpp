@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <thread>
 #include <utility>
@@ -117,11 +118,8 @@ class RowSampling {
 
     void take(const SampledRow& row) {
         const auto found = rows_.find(row.row);
-        bool fits = found != rows_.end() && row.estimates.size() == found->second.size();
-        for (std::size_t k = 0; fits && k < row.estimates.size(); ++k) {
-            fits = row.estimates[k].first == found->second[k];
-        }
-        if (!fits) {
+        if (found == rows_.end() ||
+            !std::ranges::equal(row.estimates, found->second, {}, &std::pair<std::uint32_t, PairEstimate>::first)) {
             throw UserError(
                 fmt::format("row {} was sampled for another matrix (by another version of ffstudy?). Begin again in "
                             "another folder.",

@@ -37,10 +37,9 @@ class Sensitivity {
             out = (1 - sums.array()).max(0);
         else
             factors = sums.cwiseInverse().asDiagonal() * factors;
-        Sparse system(n, n);
-        system.setIdentity();
-        system -= Sparse(factors * laws_.reflected.asDiagonal());
-        system_ = system;
+        system_.resize(n, n);
+        system_.setIdentity();
+        system_ -= Sparse(factors * laws_.reflected.asDiagonal());
         adjoint_ = system_.transpose();
         const VectorXd irradiation = solve(system_, factors * laws_.emitted + laws_.surroundings * out);
         radiosity_ = laws_.emitted + laws_.reflected.cwiseProduct(irradiation);
@@ -137,10 +136,6 @@ bool has_choice(const form_factors::FaceExchange& pair) {
     return pair.is_sampled() || pair.method == ExchangeMethod::bounds;
 }
 
-double smaller_area(const form_factors::Matrix& matrix, const form_factors::FaceExchange& pair) {
-    return std::min(matrix.areas[pair.from], matrix.areas[pair.to]);
-}
-
 /// Groups of pairs that are sampled together: those of a face by the rays that leave it; each other pair by itself.
 struct Groups {
     std::vector<std::size_t> of;  ///< [pair]: index of its group
@@ -221,7 +216,7 @@ std::optional<std::vector<double>> plan_flows(const Scene& scene, const form_fac
         const form_factors::FaceExchange& pair = matrix.exchanges[p];
         if (!has_choice(pair)) continue;
         allocation.most[p] = form_factors::half_width(pair);
-        allocation.least[p] = floor * smaller_area(matrix, pair);
+        allocation.least[p] = floor * matrix.smaller_area(pair);
     }
     VectorXd weights = VectorXd::Ones(sensitivity.absorbing().size());
     std::vector<double> best;
@@ -253,7 +248,7 @@ std::optional<std::vector<double>> plan_flows(const Scene& scene, const form_fac
         weights = weights.cwiseProduct(widths / widths.maxCoeff());
     }
     if (best.empty()) return std::nullopt;
-    for (std::size_t p = 0; p < pairs; ++p) best[p] /= smaller_area(matrix, matrix.exchanges[p]);
+    for (std::size_t p = 0; p < pairs; ++p) best[p] /= matrix.smaller_area(matrix.exchanges[p]);
     // Rays for the widest pair of a face make the others as narrow as they have to be; asked for each, chance would
     // have the pair decide whose pilot was the narrowest.
     const std::vector<double> of_group = groups.largest(best);
@@ -269,7 +264,7 @@ std::optional<double> even_samples(const Scene& scene, const form_factors::Matri
     std::vector<double> even;  // with a tolerance of 1
     for (const form_factors::FaceExchange& pair : matrix.exchanges) {
         now.push_back(has_choice(pair) ? form_factors::half_width(pair) : 0);
-        even.push_back(has_choice(pair) ? smaller_area(matrix, pair) : 0);
+        even.push_back(has_choice(pair) ? matrix.smaller_area(pair) : 0);
     }
     const double tolerance = sensitivity.widths(now).maxCoeff() / sensitivity.widths(even).maxCoeff();
     std::vector<double> growths(now.size());

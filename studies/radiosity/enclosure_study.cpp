@@ -62,9 +62,7 @@ Lighting light(const NamedEnclosure& named, const RadiosityRequest& request) {
     lighting.exact = named.enclosure.factors;
     for (const auto& setting : request.reflectance)
         lighting.reflectance.emplace_back(Eigen::VectorXd::Constant(n, setting.front()));
-    lighting.emission = Eigen::VectorXd::Unit(n, n - 1);
-    if (request.emission.size() == 1) lighting.emission.setConstant(request.emission.front());
-    if (request.emission.size() > 1) lighting.emission = Eigen::Map<const Eigen::VectorXd>(request.emission.data(), n);
+    lighting.emission = for_faces(request.emission, n);
     return lighting;
 }
 

@@ -18,13 +18,6 @@ const RadiosityRequest& request_of(const StudyPlan& plan) {
     return *plan.spec.radiosity;
 }
 
-/// One number for each face.
-Eigen::VectorXd for_faces(const std::vector<double>& numbers, Eigen::Index faces) {
-    if (numbers.empty()) return Eigen::VectorXd::Unit(faces, faces - 1);
-    if (numbers.size() == 1) return Eigen::VectorXd::Constant(faces, numbers.front());
-    return Eigen::Map<const Eigen::VectorXd>(numbers.data(), faces);
-}
-
 Eigen::MatrixXd by_reciprocity(const Eigen::MatrixXd& direct, const Eigen::VectorXd& areas) {
     Eigen::MatrixXd result = direct;
     for (Eigen::Index i = 0; i < direct.rows(); ++i) {
@@ -98,6 +91,12 @@ Eigen::MatrixXd treat(const Elements& elements, const Eigen::VectorXd& rays, con
             break;
     }
     return balanced(elements, rays, direct);
+}
+
+Eigen::VectorXd for_faces(const std::vector<double>& numbers, Eigen::Index faces) {
+    if (numbers.empty()) return Eigen::VectorXd::Unit(faces, faces - 1);
+    if (numbers.size() == 1) return Eigen::VectorXd::Constant(faces, numbers.front());
+    return Eigen::Map<const Eigen::VectorXd>(numbers.data(), faces);
 }
 
 Sight face_sight(const Scene& scene) {

@@ -74,6 +74,10 @@ struct PatchLight {
     Eigen::VectorXd emission;
 };
 
+/// The reflectance or emission of each face from the numbers of a request: one for each, or one for all. Without
+/// numbers it is 1 for the last face and 0 for the others.
+Eigen::VectorXd for_faces(const std::vector<double>& numbers, Eigen::Index faces);
+
 /// All pairs of faces; a face with itself only where it sees itself.
 Sight face_sight(const Scene& scene);
 

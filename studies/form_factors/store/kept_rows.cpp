@@ -13,6 +13,7 @@ constexpr const char* kept_rows_schema = R"(
 CREATE TABLE matrix(key TEXT PRIMARY KEY, value NOT NULL) WITHOUT ROWID;
 CREATE TABLE rows(face INTEGER PRIMARY KEY, samples BLOB NOT NULL, checksum TEXT NOT NULL);
 )";
+constexpr int kept_rows_schema_version = 4;
 constexpr StoreFormat kept_rows_format{
     FileKind::kept_rows,      "file of sampled rows", "matrix", kept_rows_schema_version,
     kept_rows_schema_version, kept_rows_schema,       "",

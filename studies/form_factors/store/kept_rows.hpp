@@ -13,9 +13,6 @@
 
 namespace ff::studies::form_factors {
 
-/// Version of the file's tables.
-inline constexpr int kept_rows_schema_version = 4;
-
 /// Rows of a matrix that have been sampled, kept in a file one by one: a run that is resumed takes them from there, and
 /// those of several shards together are all rows. Survives the end of the process at any moment.
 class KeptRows {

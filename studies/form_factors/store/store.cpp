@@ -41,6 +41,8 @@ CREATE VIEW form_factors AS
   JOIN faces AS a ON a.face = i JOIN faces AS b ON b.face = j;
 )";
 
+/// Version of the tables; docs/form-factors.md describes them.
+constexpr int matrix_schema_version = 3;
 constexpr int without_checksum = 1;
 constexpr StoreFormat form_factor_format{FileKind::form_factor_store, "matrix of form factors", "about",
                                          matrix_schema_version,       without_checksum,         form_factor_schema,

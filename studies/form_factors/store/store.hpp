@@ -10,9 +10,6 @@
 
 namespace ff::studies::form_factors {
 
-/// Version of the tables; docs/form-factors.md describes them.
-inline constexpr int matrix_schema_version = 3;
-
 /// A matrix with its scene and request.
 struct KeptMatrix {
     /// Where the scene is from: a built-in name, or name and text of a file (studies/scene_files/scene_file.hpp).
