@@ -8,8 +8,8 @@
 #include "reports/files/output_file.hpp"
 #include "reports/text/numbers.hpp"
 #include "samplers/point_sets/draw_set.hpp"
-#include "studies/sampler_checks/evenness_of_set.hpp"
 #include "studies/sampler_checks/sampler_checks.hpp"
+#include "studies/sampler_checks/structure.hpp"
 
 #include <fmt/format.h>
 

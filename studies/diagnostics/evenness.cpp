@@ -2,7 +2,7 @@
 
 #include "core/support/error.hpp"
 #include "samplers/point_sets/draw_set.hpp"
-#include "studies/sampler_checks/evenness_of_set.hpp"
+#include "studies/sampler_checks/structure.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,6 @@
 #include "core/support/words.hpp"
 #include "samplers/point_sets/net_parameter.hpp"
 #include "samplers/support/sizes.hpp"
-#include "studies/sampler_checks/evenness_of_set.hpp"
 #include "studies/sampler_checks/point_groups.hpp"
 #include "studies/sampler_checks/structure.hpp"
 

@@ -3,6 +3,7 @@
 #include "core/support/contract.hpp"
 #include "samplers/point_sets/net_parameter.hpp"
 #include "samplers/support/sizes.hpp"
+#include "stats/goodness_of_fit/discrepancy.hpp"
 #include "studies/sampler_checks/point_groups.hpp"
 
 #include <algorithm>
@@ -150,6 +151,21 @@ SetStructure structure_of(const samplers::PointSet& set, std::uint64_t which, st
             const auto t = samplers::net_parameter(projection(set, which, {a, b}), 0, base);
             found.pairs.push_back({a, b, t.value_or(0)});
         }
+    }
+    return found;
+}
+
+EvennessOfSet evenness_of(const samplers::PointSet& set, std::uint32_t base) {
+    EvennessOfSet found;
+    stats::Coordinates coordinates(set.dimension);
+    for (std::size_t d = 0; d < set.dimension; ++d) {
+        for (const std::uint32_t x : set.row(0, d)) coordinates[d].push_back((x + 0.5) * 0x1p-32);
+        found.largest_gap = std::max(found.largest_gap, stats::largest_gap(coordinates[d]));
+    }
+    if (set.points <= most_for_t_value) found.t_value = samplers::net_parameter(set, 0, base);
+    if (set.points <= most_quadratic) {
+        found.l2_star_discrepancy = stats::l2_star_discrepancy(coordinates);
+        found.centred_discrepancy = stats::centred_discrepancy(coordinates);
     }
     return found;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "samplers/point_sets/parts.hpp"
+#include "samplers/point_sets/point_set.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -52,5 +53,19 @@ std::vector<std::uint64_t> points_of_cells(const samplers::Sorting& sorting, std
 /// The base of t-values: that of the sampler, if it is made for powers; otherwise 2, or the smallest of 3, 5, 7, 11 and
 /// 13 of which the number of points is a power.
 std::uint32_t base_of_structure(std::uint64_t points, std::uint32_t base_of_powers);
+
+/// Measures of the evenness of a point set: the smaller, the more even.
+struct EvennessOfSet {
+    std::optional<std::uint32_t> t_value;       ///< empty unless the number of points is a small power of the base
+    std::optional<double> l2_star_discrepancy;  ///< empty for more than `most_quadratic` points
+    std::optional<double> centred_discrepancy;  ///< likewise
+    double largest_gap = 0;                     ///< on any axis
+};
+
+inline constexpr std::uint64_t most_quadratic = 1u << 14;
+inline constexpr std::uint64_t most_for_t_value = 1u << 16;
+
+/// @param base  of the t-value
+EvennessOfSet evenness_of(const samplers::PointSet& set, std::uint32_t base);
 
 }  // namespace ff::studies
