@@ -8,7 +8,7 @@
 #include "core/support/nearest_name.hpp"
 #include "core/support/words.hpp"
 #include "samplers/outside/added.hpp"
-#include "studies/explain/descriptions.hpp"
+#include "studies/explain/explain.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/scene.hpp"
-#include "studies/explain/scene_explanation.hpp"
+#include "studies/explain/explain.hpp"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "studies/claims/claim_judgements.hpp"
+#include "studies/claims/claim_evidence.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +11,34 @@
 
 namespace ff::studies {
 namespace {
+
+/// Whether a sequence of errors falls, as far as its intervals tell.
+ClaimVerdict falling(const std::vector<MeanWithError>& errors) {
+    ClaimVerdict verdict = ClaimVerdict::supported;
+    for (std::size_t i = 1; i < errors.size(); ++i) {
+        if (errors[i].low() > errors[i - 1].high()) return ClaimVerdict::refuted;
+        if (errors[i].high() >= errors[i - 1].low()) verdict = ClaimVerdict::inconclusive;
+    }
+    return verdict;
+}
+
+std::vector<MeanWithError> mean_sum_errors(const ClaimEvidence& evidence, const std::vector<std::size_t>& cells) {
+    std::vector<MeanWithError> errors;
+    for (const std::size_t cell : cells) errors.push_back(mean_with_error(evidence.sum_errors(cell), evidence.level()));
+    return errors;
+}
+
+std::string ladder(const ClaimEvidence& evidence, const std::vector<std::size_t>& cells,
+                   const std::vector<MeanWithError>& errors) {
+    std::vector<std::string> rungs;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const Cell& cell = evidence.findings().plan.cells[cells[i]];
+        const std::string samples = cell.deterministic ? "" : fmt::format(" × {} rays", cell.samples_per_patch);
+        rungs.push_back(
+            fmt::format("{} at {} patches per face{}", percent(errors[i]), cell.subdivision.per_part(), samples));
+    }
+    return fmt::format("Mean Σ r.e.: {}.", fmt::join(rungs, ", "));
+}
 
 /// Mean over pairs of the relative error, by trial.
 std::vector<double> class_errors(const ClaimEvidence& evidence, std::size_t cell, const std::vector<Quantity>& pairs) {
@@ -47,7 +75,7 @@ Judgement judge_class(const ClaimEvidence& evidence, const PublishedClaim& claim
     const auto pairs = evidence.pairs(pair_class);
     return compare_errors(fmt::format("Mean r.e. of {} pairs", pair_class), claim.methods[first],
                           class_errors(evidence, a.front(), pairs), claim.methods[second],
-                          class_errors(evidence, b.front(), pairs), evidence.findings().plan.spec.level);
+                          class_errors(evidence, b.front(), pairs), evidence.level());
 }
 
 /// A method of the study, and its mean error on a class of pairs.
@@ -65,25 +93,10 @@ struct Competitors {
     std::vector<Competitor> adjacent;
 };
 
-/// The cells of these methods.
-std::vector<std::size_t> competing_cells(const ClaimEvidence& evidence, const PublishedClaim& claim) {
-    const Analysis& findings = evidence.findings();
-    std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < findings.plan.cells.size(); ++i) {
-        const Cell& cell = findings.plan.cells[i];
-        const Method& method = findings.plan.spec.methods[cell.method];
-        if (cell.scene != evidence.scene()) continue;
-        const bool same_size = names(claim.patches_per_face, cell.subdivision.per_part()) &&
-                               (cell.deterministic || names(claim.samples_per_patch, cell.samples_per_patch));
-        if (!same_size || estimator_info(method).exact || findings.cells[i].trials == 0) continue;
-        result.push_back(i);
-    }
-    return result;
-}
-
 Competitors competitors(const ClaimEvidence& evidence, const PublishedClaim& claim) {
     const StudyPlan& plan = evidence.findings().plan;
-    const auto cells = competing_cells(evidence, claim);
+    auto cells = evidence.cells(claim);
+    std::erase_if(cells, [&](std::size_t i) { return estimator_info(plan.spec.methods[plan.cells[i].method]).exact; });
     const double level = 1 - (1 - plan.spec.level) / (2 * static_cast<double>(std::max<std::size_t>(cells.size(), 1)));
     const auto sorted = [&](const std::string& pair_class) {
         const auto pairs = evidence.pairs(pair_class);
@@ -100,13 +113,19 @@ Competitors competitors(const ClaimEvidence& evidence, const PublishedClaim& cla
     return {sorted("parallel"), sorted("adjacent")};
 }
 
+/// The names of those competitors that pass, each once.
+std::vector<std::string> names_where(const std::vector<Competitor>& all, auto passes) {
+    std::vector<std::string> names;
+    for (const Competitor& each : all) {
+        if (passes(each) && std::find(names.begin(), names.end(), each.name) == names.end()) names.push_back(each.name);
+    }
+    return names;
+}
+
 /// The methods that are not shown to err more than the first, which then is not shown to be the best: "A or B".
 std::string unbeaten(const std::vector<Competitor>& sorted) {
-    std::vector<std::string> names;
-    for (const Competitor& each : sorted) {
-        const bool is_beaten = each.error.low() > sorted.front().error.high();
-        if (!is_beaten && std::find(names.begin(), names.end(), each.name) == names.end()) names.push_back(each.name);
-    }
+    const double high = sorted.front().error.high();
+    const auto names = names_where(sorted, [&](const Competitor& each) { return !(each.error.low() > high); });
     return fmt::format("{}", fmt::join(names, " or "));
 }
 
@@ -114,11 +133,7 @@ std::string unbeaten(const std::vector<Competitor>& sorted) {
 std::string best_in_words(const std::vector<Competitor>& sorted) {
     if (sorted.empty()) return "none";
     if (!sorted.front().is_exact()) return fmt::format("{} ({:.2g} %)", unbeaten(sorted), sorted.front().error.mean);
-    std::vector<std::string> exact;
-    for (const Competitor& competitor : sorted) {
-        if (competitor.is_exact() && std::find(exact.begin(), exact.end(), competitor.name) == exact.end())
-            exact.push_back(competitor.name);
-    }
+    const auto exact = names_where(sorted, [](const Competitor& each) { return each.is_exact(); });
     return fmt::format("{} (exact to rounding)", fmt::join(exact, ", "));
 }
 
@@ -202,12 +217,48 @@ Judgement judge_division_among(const ClaimEvidence& evidence, const PublishedCla
 
 }  // namespace
 
+Judgement judge_falling(const ClaimEvidence& evidence, const PublishedClaim& claim) {
+    const auto cells = evidence.cells(claim, 0);
+    if (cells.size() < 2) return not_in_study();
+    const auto errors = mean_sum_errors(evidence, cells);
+    return {falling(errors), ladder(evidence, cells, errors)};
+}
+
+Judgement judge_not_always_falling(const ClaimEvidence& evidence, const PublishedClaim& claim) {
+    const auto cells = evidence.cells(claim, 0);
+    if (cells.size() < 2) return not_in_study();
+    std::string text;
+    double least = 1;
+    double most = 0;
+    for (std::size_t i = 1; i < cells.size(); ++i) {
+        const auto coarse = evidence.sum_errors(cells[i - 1]);
+        const auto fine = evidence.sum_errors(cells[i]);
+        const std::size_t trials = std::min(coarse.size(), fine.size());
+        std::size_t worse = 0;
+        for (std::size_t t = 0; t < trials; ++t) {
+            if (fine[t] > coarse[t]) ++worse;
+        }
+        const Share share = share_of(worse, trials, evidence.level());
+        least = std::min(least, share.interval.low);
+        most = std::max(most, share.interval.high);
+        text += fmt::format("From {} to {} patches per face a single run gets worse in {}. ",
+                            evidence.findings().plan.cells[cells[i - 1]].subdivision.per_part(),
+                            evidence.findings().plan.cells[cells[i]].subdivision.per_part(), percent(share));
+    }
+    const auto errors = mean_sum_errors(evidence, cells);
+    text += ladder(evidence, cells, errors);
+    if (falling(errors) == ClaimVerdict::supported)
+        text += " So it is chance: the mean error falls with every subdivision.";
+    // "Not always" wants an event that really happens: more than one run in twenty.
+    return {is_above(least, most, 0.05), text};
+}
+
 Judgement judge_smaller_sum_error(const ClaimEvidence& evidence, const PublishedClaim& claim) {
     const auto a = evidence.cells(claim, 0);
     const auto b = evidence.cells(claim, 1);
     if (a.empty() || b.empty()) return not_in_study();
     return compare_errors("Mean Σ r.e. of the row sums", claim.methods[0], evidence.sum_errors(a.front()),
-                          claim.methods[1], evidence.sum_errors(b.front()), evidence.findings().plan.spec.level);
+                          claim.methods[1], evidence.sum_errors(b.front()), evidence.level());
 }
 
 Judgement judge_smaller_error(const ClaimEvidence& evidence, const PublishedClaim& claim) {
@@ -222,8 +273,7 @@ Judgement judge_advice(const ClaimEvidence& evidence, const PublishedClaim& clai
     const Competitors all = competitors(evidence, claim);
     Judgement judgement = judge_division_among(evidence, claim, all);
     if (evidence.cells(claim, 0).empty() || evidence.cells(claim, 1).empty()) return judgement;
-    judgement.evidence =
-        advice_in_words(claim, judgement.verdict, all, evidence.findings().plan.spec.level) + judgement.evidence;
+    judgement.evidence = advice_in_words(claim, judgement.verdict, all, evidence.level()) + judgement.evidence;
     return judgement;
 }
 

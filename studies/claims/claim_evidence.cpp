@@ -4,23 +4,32 @@
 #include "stats/basics/moments.hpp"
 #include "stats/means/mean_test.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace ff::studies {
 
-std::vector<std::size_t> ClaimEvidence::cells(const PublishedClaim& claim, std::size_t method) const {
+std::vector<std::size_t> ClaimEvidence::cells(const PublishedClaim& claim) const {
     std::vector<std::size_t> found;
-    if (method >= claim.methods.size()) return found;
     for (std::size_t i = 0; i < findings_.plan.cells.size(); ++i) {
         const Cell& cell = findings_.plan.cells[i];
-        if (cell.scene != scene_) continue;
-        if (findings_.cells[i].trials == 0 || findings_.plan.spec.methods[cell.method].name != claim.methods[method])
-            continue;
+        if (cell.scene != scene_ || findings_.cells[i].trials == 0) continue;
         if (!names(claim.patches_per_face, cell.subdivision.per_part())) continue;
         if (cell.deterministic || names(claim.samples_per_patch, cell.samples_per_patch)) found.push_back(i);
     }
+    return found;
+}
+
+std::vector<std::size_t> ClaimEvidence::cells(const PublishedClaim& claim, std::size_t method) const {
+    if (method >= claim.methods.size()) return {};
+    auto found = cells(claim);
+    std::erase_if(found, [&](std::size_t i) {
+        return findings_.plan.spec.methods[findings_.plan.cells[i].method].name != claim.methods[method];
+    });
     std::sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {
         const Cell& x = findings_.plan.cells[a];
         const Cell& y = findings_.plan.cells[b];
@@ -96,6 +105,24 @@ MeanWithError mean_with_error(const std::vector<double>& values, double level) {
         return {mean, 0};
     const auto interval = stats::mean_interval(values, mean, level);
     return {mean, interval ? std::max(-interval->low, interval->high) : std::numeric_limits<double>::infinity()};
+}
+
+Judgement not_in_study() {
+    return {ClaimVerdict::inconclusive, "The study has no trials of the methods and sizes that the claim is about."};
+}
+
+std::string percent(const MeanWithError& value) {
+    if (value.half_width == 0 && value.mean < rounding_percent) return "exact to rounding";
+    if (value.half_width == 0) return fmt::format("{:.3g} %", value.mean);
+    if (!std::isfinite(value.half_width))
+        return fmt::format("{:.3g} % (of too few trials, or too skewed ones, for an interval)", value.mean);
+    const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(value.half_width))));
+    return fmt::format("{:.{}f} ± {:.{}f} %", value.mean, decimals, value.half_width, decimals);
+}
+
+std::string percent(const Share& share) {
+    return fmt::format("{:.1f} % [{:.1f}, {:.1f}] of {} trials", 100 * share.value(), 100 * share.interval.low,
+                       100 * share.interval.high, share.of);
 }
 
 }  // namespace ff::studies

@@ -1,4 +1,4 @@
-#include "studies/claims/claim_judgements.hpp"
+#include "studies/claims/claim_evidence.hpp"
 
 #include "stats/basics/quantiles.hpp"
 #include "studies/analysis/pair_spreads.hpp"
@@ -71,7 +71,7 @@ Judgement judge_count(const ClaimEvidence& evidence, const PublishedClaim& claim
     const auto pairs = evidence.pairs(claim.pair_class);
     const auto rivals = opponents(evidence, claim, pairs);
     if (cells.empty() || rivals.empty() || !claim.number) return not_in_study();
-    const double level = evidence.findings().plan.spec.level;
+    const double level = evidence.level();
     return against_each(rivals, [&](const Opponent& rival) -> Judgement {
         const auto counts = counts_above(evidence, cells.front(), pairs, rival.errors);
         const auto range = stats::central_range(counts, level);
@@ -98,8 +98,7 @@ Judgement judge_not_always_smaller(const ClaimEvidence& evidence, const Publishe
     return against_each(rivals, [&](const Opponent& rival) -> Judgement {
         const auto counts = counts_above(evidence, cells.front(), pairs, rival.errors);
         const auto some = std::count_if(counts.begin(), counts.end(), [](double count) { return count > 0; });
-        const Share share =
-            share_of(static_cast<std::size_t>(some), counts.size(), evidence.findings().plan.spec.level);
+        const Share share = share_of(static_cast<std::size_t>(some), counts.size(), evidence.level());
         // "Not always" wants an event that really happens: more than one run in twenty.
         return {is_above(share.interval.low, share.interval.high, 0.05),
                 fmt::format("{} has the larger error on some pair in {}", claim.methods[0], percent(share))};
@@ -155,7 +154,7 @@ Judgement judge_nonuniform(const ClaimEvidence& evidence, const PublishedClaim& 
         ratios.push_back(*std::max_element(errors.begin(), errors.end()) /
                          std::accumulate(errors.begin(), errors.end(), 0.0) * static_cast<double>(errors.size()));
     }
-    const double level = evidence.findings().plan.spec.level;
+    const double level = evidence.level();
     const auto range = stats::central_range(ratios, level);
     Judgement judgement;
     judgement.verdict = is_above(range->low, range->high, 1.5);

@@ -1,34 +1,12 @@
 #include "studies/claims/claims.hpp"
 
-#include "studies/claims/claim_judgements.hpp"
+#include "studies/claims/claim_evidence.hpp"
 #include "studies/claims/comparison.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace ff::studies {
-
-Judgement not_in_study() {
-    return {ClaimVerdict::inconclusive, "The study has no trials of the methods and sizes that the claim is about."};
-}
-
-std::string percent(const MeanWithError& value) {
-    if (value.half_width == 0 && value.mean < rounding_percent) return "exact to rounding";
-    if (value.half_width == 0) return fmt::format("{:.3g} %", value.mean);
-    if (!std::isfinite(value.half_width))
-        return fmt::format("{:.3g} % (of too few trials, or too skewed ones, for an interval)", value.mean);
-    const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(value.half_width))));
-    return fmt::format("{:.{}f} ± {:.{}f} %", value.mean, decimals, value.half_width, decimals);
-}
-
-std::string percent(const Share& share) {
-    return fmt::format("{:.1f} % [{:.1f}, {:.1f}] of {} trials", 100 * share.value(), 100 * share.interval.low,
-                       100 * share.interval.high, share.of);
-}
-
 namespace {
 
 /// The basis of a verdict: intervals of mean errors, or shares and ranges of single runs.
