@@ -111,11 +111,10 @@ Json published_json(const studies::PublishedResults& published) {
     }
     Json findings = Json::array();
     for (const studies::audit::Finding& finding : published.audit.findings) {
-        const bool contradiction = finding.severity == studies::audit::Severity::contradiction;
         Json figures = Json::array();
         for (const std::size_t figure : finding.blamed) figures.push_back(studies::describe(published.tables, figure));
         findings.push_back({{"id", finding.id},
-                            {"severity", contradiction ? "contradiction" : "note"},
+                            {"severity", "contradiction"},
                             {"relation", studies::audit::name(finding.relation)},
                             {"statement", finding.statement},
                             {"blamed", std::move(figures)}});

@@ -72,8 +72,7 @@ void write_findings(Out out, const PublishedTables& tables, const Report& report
                    "equally few, those nearest to a slip of the pen.\n\n");
     std::size_t number = 0;
     for (const Finding& f : report.findings) {
-        fmt::format_to(out, "{}. **{}**{}\n", ++number, markdown_text(f.statement),
-                       f.severity == studies::audit::Severity::note ? " (a note, not a contradiction)" : "");
+        fmt::format_to(out, "{}. **{}**\n", ++number, markdown_text(f.statement));
         for (const studies::audit::Evidence& e : f.evidence) {
             fmt::format_to(out, "   - {}: {}", name(e.relation), markdown_text(e.text));
             if (!e.figures.empty()) {

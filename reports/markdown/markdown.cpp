@@ -148,8 +148,7 @@ std::string audit_section(const studies::StudyResults& results) {
         published.audit.contradictions());
     std::size_t number = 0;
     for (const studies::audit::Finding& finding : published.audit.findings) {
-        const bool note = finding.severity == studies::audit::Severity::note;
-        out += fmt::format("{}. {}{}\n", ++number, note ? "(note) " : "", markdown_text(finding.statement));
+        out += fmt::format("{}. {}\n", ++number, markdown_text(finding.statement));
     }
     return out + "\n";
 }

@@ -86,8 +86,7 @@ std::vector<std::string> wrong_in_print(const studies::PublishedResults& publish
     std::vector<std::string> lines;
     for (const bool corrected : {true, false}) {
         for (const studies::audit::Finding& finding : published.audit.findings) {
-            if (finding.severity == studies::audit::Severity::contradiction && finding.corrections.empty() != corrected)
-                lines.push_back(finding.statement);
+            if (finding.corrections.empty() != corrected) lines.push_back(finding.statement);
         }
     }
     return lines;

@@ -170,8 +170,7 @@ bool is_surprising(const FigureComparison& c, double alpha) {
 std::set<std::size_t> blamed_figures(const studies::audit::Report& audit) {
     std::set<std::size_t> blamed;
     for (const studies::audit::Finding& finding : audit.findings) {
-        if (finding.severity == studies::audit::Severity::contradiction)
-            blamed.insert(finding.blamed.begin(), finding.blamed.end());
+        blamed.insert(finding.blamed.begin(), finding.blamed.end());
     }
     return blamed;
 }

@@ -1,9 +1,8 @@
 #include "studies/audit/audit.hpp"
 
 #include "stats/basics/distributions.hpp"
-#include "studies/audit/blame.hpp"
-#include "studies/audit/explain.hpp"
-#include "studies/audit/format_choice.hpp"
+#include "studies/audit/findings.hpp"
+#include "studies/audit/value_format.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -36,7 +35,8 @@ class Auditor {
         judge_readings();
         for (const Experiment& experiment : experiments_) judge_experiment(experiment);
         judge_spreads();
-        sort_findings();
+        std::ranges::stable_sort(report_.findings,
+                                 [](const Finding& a, const Finding& b) { return first_blamed(a) < first_blamed(b); });
         return std::move(report_);
     }
 
@@ -52,8 +52,8 @@ class Auditor {
     /// on formats only slightly, so that two rounds are enough.
     void infer() {
         for (const Experiment& experiment : experiments_) {
-            const bool known = std::any_of(report_.formats.begin(), report_.formats.end(),
-                                           [&](const InferredFormat& f) { return f.method == experiment.method; });
+            const bool known = std::ranges::any_of(
+                report_.formats, [&](const InferredFormat& f) { return f.method == experiment.method; });
             if (!known) report_.formats.push_back(infer_format(tables_, experiment.method));
         }
         bool changed = true;
@@ -79,8 +79,7 @@ class Auditor {
     }
 
     InferredFormat& format_of_method(const std::string& method) {
-        return *std::find_if(report_.formats.begin(), report_.formats.end(),
-                             [&](const InferredFormat& f) { return f.method == method; });
+        return *std::ranges::find_if(report_.formats, [&](const InferredFormat& f) { return f.method == method; });
     }
 
     // What errors are relative to -------------------------------------------------------------------------------
@@ -189,8 +188,8 @@ class Auditor {
         }
         const auto tests = static_cast<double>(std::max<std::size_t>(1, report_.plausibility_tests));
         report_.z_limit = stats::normal_critical(single / (2 * tests));
-        const auto sampled = std::count_if(experiments_.begin(), experiments_.end(),
-                                           [](const Experiment& e) { return e.rays_per_face.has_value(); });
+        const auto sampled =
+            std::ranges::count_if(experiments_, [](const Experiment& e) { return e.rays_per_face.has_value(); });
         spread_level_ = report_.alpha / 2 / (2 * static_cast<double>(std::max<std::ptrdiff_t>(1, sampled)));
     }
 
@@ -245,7 +244,7 @@ class Auditor {
 
     void judge_spreads() {
         for (const ExperimentSpread& s : report_.spreads) {
-            if (!is_implausible(s.spread, spread_level_)) continue;
+            if (!s.spread.is_implausible(spread_level_)) continue;
             const bool far = s.spread.too_far < spread_level_;
             Finding f;
             f.id = fmt::format("spread: {}", s.experiment);
@@ -260,13 +259,8 @@ class Auditor {
         }
     }
 
-    void sort_findings() {
-        const auto place = [](const Finding& f) { return f.blamed.empty() ? std::size_t{0} : f.blamed.front() + 1; };
-        std::stable_sort(report_.findings.begin(), report_.findings.end(), [&](const Finding& a, const Finding& b) {
-            if (a.severity != b.severity) return a.severity < b.severity;
-            return place(a) < place(b);
-        });
-    }
+    /// Findings that blame no figure come first.
+    static std::size_t first_blamed(const Finding& f) { return f.blamed.empty() ? 0 : f.blamed.front() + 1; }
 
     const PublishedTables& tables_;
     DistributionCache& cache_;
@@ -277,11 +271,6 @@ class Auditor {
 };
 
 }  // namespace
-
-std::size_t Report::contradictions() const {
-    return static_cast<std::size_t>(std::count_if(
-        findings.begin(), findings.end(), [](const Finding& f) { return f.severity == Severity::contradiction; }));
-}
 
 Report examine(const PublishedTables& tables, const ExamineOptions& options, DistributionCache& cache) {
     return Auditor(tables, options, cache).run();

@@ -1,14 +1,8 @@
 #pragma once
 
-#include "studies/audit/constraint_system.hpp"
-#include "studies/audit/correction.hpp"
-#include "studies/audit/experiment.hpp"
-#include "studies/audit/hit_counts.hpp"
+#include "studies/audit/findings.hpp"
 #include "studies/audit/references.hpp"
-#include "studies/audit/scene_facts.hpp"
-#include "studies/audit/spread.hpp"
 #include "studies/audit/value_format.hpp"
-#include "studies/published/published.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,35 +12,6 @@
 #include <vector>
 
 namespace ff::studies::audit {
-
-enum class Severity {
-    contradiction,  ///< the printed figures cannot all be right
-    note,           ///< worth knowing, but nothing is wrong
-};
-
-/// The evidence of one relation about a blamed figure.
-struct Evidence {
-    Relation relation = Relation::print;
-    std::string text;                  ///< a sentence
-    std::vector<std::size_t> figures;  ///< the figures that it rests on
-};
-
-/// An error in what is printed.
-struct Finding {
-    std::string id;  ///< stable: the same contradiction has the same id in every audit of the same file
-    Severity severity = Severity::contradiction;
-    Relation relation = Relation::print;  ///< relation that the first evidence is about
-    std::string statement;                ///< a sentence
-    std::vector<std::size_t> blamed;      ///< figures; may be empty where a verbal statement is wrong
-    std::vector<Correction> corrections;  ///< what blamed figures should say, equal corrections once
-    std::vector<Evidence> evidence;
-    std::vector<std::string> alternatives;  ///< other possible culprits, a sentence each
-    std::vector<std::size_t> involved;      ///< all figures that blame, evidence or alternatives mention, ascending
-
-    void cite(Relation by, std::string text, std::vector<std::size_t> figures = {}) {
-        evidence.push_back({by, std::move(text), std::move(figures)});
-    }
-};
 
 /// Whole numbers of hits behind a figure of a sampling method.
 struct RecoveredHits {
@@ -66,7 +31,7 @@ struct ExperimentSpread {
 struct Report {
     std::string source;
     std::size_t figures = 0;
-    std::vector<Finding> findings;  ///< contradictions first, in the order of the tables
+    std::vector<Finding> findings;  ///< in the order of the tables
     std::vector<InferredFormat> formats;
     ReferenceInference references;
     std::vector<ReadingEvidence> readings;
@@ -76,7 +41,7 @@ struct Report {
     std::size_t plausibility_tests = 0;
     double z_limit = 0;  ///< standard deviations from which one Monte Carlo value is impossible
 
-    [[nodiscard]] std::size_t contradictions() const;
+    [[nodiscard]] std::size_t contradictions() const { return findings.size(); }
 };
 
 struct ExamineOptions {

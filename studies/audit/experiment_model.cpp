@@ -1,6 +1,5 @@
 #include "studies/audit/experiment_model.hpp"
 
-#include "studies/audit/reciprocity.hpp"
 #include "studies/audit/references.hpp"
 
 #include <fmt/format.h>

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace ff::studies::audit {
@@ -43,5 +44,21 @@ std::optional<JointDistance> spread_within(const ExperimentModel& model, const s
 /// @param z_limit  standard deviations beyond which a Monte Carlo value counts as impossible
 ExperimentModel build_model(const PublishedTables& tables, const SceneFacts& facts, const Experiment& experiment,
                             const Interpretation& interpretation, DistributionCache& cache, double z_limit);
+
+/// More broken pairs than this cannot be misprints.
+inline constexpr std::size_t most_misprints = 12;
+
+/// Adds that area times factor is the same both ways between two faces: unconditionally where rows complete each other;
+/// as far as chance allows where every row has its own rays; and as an assumption, which can be given up, where a
+/// deterministic method computes both ways, since its own error may be larger than what is printed.
+/// @param printed  [variable]: what prints of a pair allow, all together
+void add_reciprocity(const std::map<std::size_t, Range>& printed, double z_limit, ExperimentModel& model);
+
+/// A figure's place and digits, e.g. `table4, Σ of face 3, SR ("0.97264")`.
+std::string quote(const PublishedTables& tables, std::size_t figure);
+
+/// The figures that a constraint of reciprocity ties, with the areas of their faces. Congruent pairs share it: one of
+/// each is named.
+std::string both_ways(const ExperimentModel& model, const Constraint& constraint);
 
 }  // namespace ff::studies::audit

@@ -1,6 +1,5 @@
-#include "studies/audit/explain.hpp"
-
-#include "studies/audit/reciprocity.hpp"
+#include "studies/audit/experiment_model.hpp"
+#include "studies/audit/findings.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -26,6 +25,84 @@ std::vector<std::size_t> without(const std::vector<std::size_t>& all, const std:
     return rest;
 }
 
+/// "0.19902" or "0.19902 to 0.19903".
+std::string in_words(Range range) {
+    const std::string low = fmt::format("{:.7g}", range.low);
+    const std::string high = fmt::format("{:.7g}", range.high);
+    return low == high ? low : low + " to " + high;
+}
+
+/// Figures that a constraint is about: its own, or all prints of its variables.
+std::vector<std::size_t> figures_behind(const ExperimentModel& model, const Constraint& constraint) {
+    if (constraint.suspect && constraint.relation != Relation::reciprocity)
+        return model.system.suspects[*constraint.suspect].figures;
+    if (constraint.relation == Relation::plausibility) return {};
+    return prints_of(model, constraint.terms);
+}
+
+std::string explain_reciprocity(const ExperimentModel& model, const Diagnosis& diagnosis, std::size_t suspect,
+                                Finding& finding) {
+    constexpr std::size_t most_shown = 12;
+    std::size_t broken = 0;
+    std::string first = "sums of rows";
+    for (const Constraint& constraint : model.system.constraints) {
+        if (constraint.suspect != suspect) continue;
+        const Range allowed = project(constraint, model.system, diagnosis.ranges, 0);
+        const Range left = diagnosis.ranges[constraint.terms.front().variable];
+        if (allowed.meets(left) || ++broken > most_shown) continue;
+        const std::string both = both_ways(model, constraint);
+        if (broken == 1) first = both;
+        finding.cite(Relation::reciprocity, fmt::format("It is broken by {}.", both),
+                     figures_behind(model, constraint));
+    }
+    if (broken > 1) first += fmt::format(", and {} other pair{} of figures", broken - 1, broken == 2 ? "" : "s");
+    return fmt::format(
+        "{}: {} break reciprocity by more than rounding can. Either the method does not keep it or "
+        "figures are wrong.",
+        describe(model.experiment), first);
+}
+
+std::string explain_closure(const ExperimentModel& model, const Diagnosis& diagnosis, std::size_t suspect,
+                            Finding& finding) {
+    const Experiment& experiment = model.experiment;
+    const auto& constraints = model.system.constraints;
+    const auto broken = std::find_if(constraints.begin(), constraints.end(), [&](const Constraint& constraint) {
+        return constraint.suspect == suspect &&
+               !diagnosis.ranges[constraint.terms.front().variable].contains(constraint.values.low);
+    });
+    Evidence evidence{.relation = Relation::closure,
+                      .text =
+                          "A face whose whole row comes from its own rays must sum to 1 exactly in a closed "
+                          "scene, unless rays are lost.",
+                      .figures = {}};
+    if (broken == constraints.end()) {
+        finding.evidence.push_back(std::move(evidence));
+        return fmt::format("{}: the row sums cannot all be 1 exactly, as they must be unless rays are lost.",
+                           describe(experiment));
+    }
+    const std::size_t sum = broken->terms.front().variable;
+    const Range range = diagnosis.ranges[sum];
+    const double rays = static_cast<double>(experiment.rays_per_face.value_or(0));
+    for (const FigureLink& link : model.links) {
+        if (link.quantity && link.quantity->variable == sum) evidence.figures.push_back(link.figure);
+    }
+    std::string text = fmt::format("{}: a row sum must be 1 exactly but is {}, as if {:.0f}", describe(experiment),
+                                   in_words(range), rays * (1 - range.high));
+    if (range.high > range.low) text += fmt::format(" to {:.0f}", rays * (1 - range.low));
+    text += fmt::format(" of {:.0f} rays were lost", rays);
+    for (const std::size_t f : evidence.figures) text += fmt::format("; {}", quote(model.tables, f));
+    finding.evidence.push_back(std::move(evidence));
+    return text + ".";
+}
+
+/// Says why the assumption of a blamed suspect does not hold, and adds the evidence to `finding`.
+std::string explain_assumption(const ExperimentModel& model, const Diagnosis& diagnosis, std::size_t suspect,
+                               Finding& finding) {
+    const auto explain =
+        constraint_of(model, suspect).relation == Relation::closure ? explain_closure : explain_reciprocity;
+    return explain(model, diagnosis, suspect, finding);
+}
+
 /// Speaks about the figures of one experiment.
 class Explainer {
   public:
@@ -44,8 +121,8 @@ class Explainer {
                 same->push_back(s);
             }
         }
-        for (const auto& group : groups) findings.push_back(explain_group(group));
-        for (Finding& finding : findings) {
+        for (const auto& group : groups) {
+            Finding& finding = findings.emplace_back(explain_group(group));
             if (!best_.diagnosis.proven)
                 finding.statement +=
                     " Not proven: with so many contradictions, fewer other figures may be wrong instead.";
@@ -268,25 +345,7 @@ class Explainer {
 
 }  // namespace
 
-std::string in_words(Range range) {
-    const std::string low = fmt::format("{:.7g}", range.low);
-    const std::string high = fmt::format("{:.7g}", range.high);
-    return low == high ? low : low + " to " + high;
-}
-
-std::vector<std::size_t> figures_behind(const ExperimentModel& model, const Constraint& constraint) {
-    if (constraint.suspect && constraint.relation != Relation::reciprocity)
-        return model.system.suspects[*constraint.suspect].figures;
-    if (constraint.relation == Relation::plausibility) return {};
-    return prints_of(model, constraint.terms);
-}
-
-std::string quote(const PublishedTables& tables, std::size_t figure) {
-    return fmt::format("{} (\"{}\")", describe(tables, figure), tables.figures[figure].printed);
-}
-
 std::vector<Finding> explain_diagnosis(const ExperimentModel& model, const std::vector<JudgedDiagnosis>& diagnoses) {
-    if (diagnoses.empty()) return {};
     return Explainer(model, diagnoses).explain();
 }
 

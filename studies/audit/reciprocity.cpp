@@ -1,7 +1,6 @@
-#include "studies/audit/reciprocity.hpp"
+#include "studies/audit/experiment_model.hpp"
 
 #include "core/support/contract.hpp"
-#include "studies/audit/explain.hpp"
 
 #include <fmt/format.h>
 
@@ -119,6 +118,10 @@ void add_reciprocity(const std::map<std::size_t, Range>& printed, double z_limit
             add(1 / (1 - off), {-chance, infinity});
         }
     }
+}
+
+std::string quote(const PublishedTables& tables, std::size_t figure) {
+    return fmt::format("{} (\"{}\")", describe(tables, figure), tables.figures[figure].printed);
 }
 
 std::string both_ways(const ExperimentModel& model, const Constraint& constraint) {

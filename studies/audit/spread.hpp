@@ -2,7 +2,7 @@
 
 #include "stats/goodness_of_fit/chi_squared.hpp"
 #include "studies/audit/experiment.hpp"
-#include "studies/audit/hit_counts.hpp"
+#include "studies/audit/printed_number.hpp"
 #include "studies/published/published.hpp"
 
 #include <cstddef>
@@ -28,6 +28,9 @@ struct JointDistance {
     double too_far = 1;             ///< P(at least as far) is at most this, wherever in their ranges the values lie
     double too_close = 1;           ///< the same for P(at least as close)
     std::vector<std::size_t> figures;
+
+    /// Whether the values are too far from the exact ones, or too close to them.
+    [[nodiscard]] bool is_implausible(double level) const { return too_far < level || too_close < level; }
 };
 
 /// Uses pairs if there are any, otherwise row sums; each quantity once, and none that varies by less than four hits,

@@ -1,4 +1,4 @@
-#include "studies/audit/correction.hpp"
+#include "studies/audit/findings.hpp"
 
 #include "tests/unit/studies/audit/formats.hpp"
 

@@ -1,4 +1,4 @@
-#include "studies/audit/hit_counts.hpp"
+#include "studies/audit/printed_number.hpp"
 
 #include "tests/unit/studies/audit/formats.hpp"
 
