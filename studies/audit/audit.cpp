@@ -5,11 +5,9 @@
 #include "studies/audit/value_format.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 namespace ff::studies::audit {
@@ -35,8 +33,10 @@ class Auditor {
         judge_readings();
         for (const Experiment& experiment : experiments_) judge_experiment(experiment);
         judge_spreads();
-        std::ranges::stable_sort(report_.findings,
-                                 [](const Finding& a, const Finding& b) { return first_blamed(a) < first_blamed(b); });
+        // Findings that blame no figure come first.
+        std::ranges::stable_sort(report_.findings, {}, [](const Finding& f) {
+            return f.blamed.empty() ? std::size_t{0} : f.blamed.front() + 1;
+        });
         return std::move(report_);
     }
 
@@ -48,18 +48,21 @@ class Auditor {
 
     // How values are printed, what errors are relative to and what columns mean -----------------------------------
 
+    auto find_format(const std::string& method) {
+        return std::ranges::find(report_.formats, method, &InferredFormat::method);
+    }
+
     /// Formats are chosen by the contradictions that they leave, which depend on references and readings; these depend
     /// on formats only slightly, so that two rounds are enough.
     void infer() {
         for (const Experiment& experiment : experiments_) {
-            const bool known = std::ranges::any_of(
-                report_.formats, [&](const InferredFormat& f) { return f.method == experiment.method; });
-            if (!known) report_.formats.push_back(infer_format(tables_, experiment.method));
+            if (find_format(experiment.method) == report_.formats.end())
+                report_.formats.push_back(infer_format(tables_, experiment.method));
         }
         bool changed = true;
         for (int round = 0; changed && round < 2; ++round) {
             std::vector<NumberFormat> formats;
-            for (const Figure& figure : tables_.figures) formats.push_back(format_of_method(figure.method).format);
+            for (const Figure& figure : tables_.figures) formats.push_back(find_format(figure.method)->format);
             report_.references = infer_references(tables_, facts_, formats);
             weigh_all_readings();
             changed = false;
@@ -71,15 +74,10 @@ class Auditor {
     }
 
     NumberFormat choose_format_of(const InferredFormat& inferred) {
-        std::vector<Experiment> own;
-        std::copy_if(experiments_.begin(), experiments_.end(), std::back_inserter(own),
-                     [&](const Experiment& e) { return e.method == inferred.method; });
+        std::vector<Experiment> own = experiments_;
+        std::erase_if(own, [&](const Experiment& e) { return e.method != inferred.method; });
         return choose_format({tables_, facts_, cache_, report_.references, report_.z_limit, spread_level_}, own,
                              inferred);
-    }
-
-    InferredFormat& format_of_method(const std::string& method) {
-        return *std::ranges::find_if(report_.formats, [&](const InferredFormat& f) { return f.method == method; });
     }
 
     // What errors are relative to -------------------------------------------------------------------------------
@@ -194,7 +192,7 @@ class Auditor {
     }
 
     void judge_experiment(const Experiment& experiment) {
-        const Interpretation interpretation{format_of_method(experiment.method).format, report_.references.rounding,
+        const Interpretation interpretation{find_format(experiment.method)->format, report_.references.rounding,
                                             report_.references.reference};
         const ExperimentModel model = build_model(tables_, facts_, experiment, interpretation, cache_, report_.z_limit);
         const auto diagnoses = judge_diagnoses(model);
@@ -258,9 +256,6 @@ class Auditor {
             add(std::move(f));
         }
     }
-
-    /// Findings that blame no figure come first.
-    static std::size_t first_blamed(const Finding& f) { return f.blamed.empty() ? 0 : f.blamed.front() + 1; }
 
     const PublishedTables& tables_;
     DistributionCache& cache_;

@@ -188,8 +188,7 @@ Correction correct(std::string_view printed, Range values, NumberFormat format, 
 }
 
 const Constraint& constraint_of(const ExperimentModel& model, std::size_t suspect) {
-    return *std::find_if(model.system.constraints.begin(), model.system.constraints.end(),
-                         [&](const Constraint& c) { return c.suspect == suspect; });
+    return *std::ranges::find(model.system.constraints, suspect, &Constraint::suspect);
 }
 
 std::optional<std::uint64_t> rays_of(const ExperimentModel& model, const Constraint& constraint) {
@@ -201,9 +200,7 @@ std::optional<std::uint64_t> rays_of(const ExperimentModel& model, const Constra
 std::vector<JudgedDiagnosis> judge_diagnoses(const ExperimentModel& model) {
     std::vector<JudgedDiagnosis> judged;
     for (Diagnosis& diagnosis : diagnose(model.system)) judged.push_back(judge(model, std::move(diagnosis)));
-    std::stable_sort(judged.begin(), judged.end(), [](const JudgedDiagnosis& a, const JudgedDiagnosis& b) {
-        return a.improbability < b.improbability;
-    });
+    std::ranges::stable_sort(judged, {}, &JudgedDiagnosis::improbability);
     return judged;
 }
 

@@ -17,7 +17,7 @@ using Conflict = std::vector<std::size_t>;
 using Spared = std::set<std::size_t>;  ///< suspects that must not be blamed
 
 bool is_hit(const Conflict& conflict, const Blame& blame) {
-    return std::any_of(conflict.begin(), conflict.end(), [&](std::size_t s) { return blame[s]; });
+    return std::ranges::any_of(conflict, [&](std::size_t s) { return blame[s]; });
 }
 
 /// The budget that a search has left: some seconds, since its time may double with every conflict.
@@ -119,7 +119,7 @@ std::optional<std::size_t> busiest(const ConstraintSystem& system, const std::ve
         if (is_hit(conflict, blame)) continue;
         for (const std::size_t s : conflict) share[s] += 1 / system.suspects[s].cost;
     }
-    const auto most = std::max_element(share.begin(), share.end());
+    const auto most = std::ranges::max_element(share);
     if (most == share.end() || *most == 0) return std::nullopt;
     return static_cast<std::size_t>(most - share.begin());
 }
@@ -197,8 +197,7 @@ std::vector<std::size_t> find_conflict(const ConstraintSystem& system, const Bla
         if (!blame[s]) order.push_back(s);
     }
     // Cheap suspects are the weak relations: conflicts without them are smaller and fewer.
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return system.suspects[a].cost < system.suspects[b].cost; });
+    std::ranges::stable_sort(order, {}, [&](std::size_t s) { return system.suspects[s].cost; });
     Blame without = blame;
     Conflict conflict;
     narrow(system, order, without, conflict);
@@ -238,9 +237,8 @@ std::vector<Diagnosis> diagnose(const ConstraintSystem& system) {
             more.insert(suspect);
             if (seen.insert(more).second) open.push_back(std::move(more));
         }
-        const bool known =
-            std::any_of(found.begin(), found.end(), [&](const Diagnosis& d) { return d.blamed == diagnosis->blamed; });
-        if (!known) found.push_back(std::move(*diagnosis));
+        const auto known = std::ranges::find(found, diagnosis->blamed, &Diagnosis::blamed);
+        if (known == found.end()) found.push_back(std::move(*diagnosis));
     }
     return found;
 }

@@ -9,7 +9,7 @@ namespace ff::studies::audit {
 namespace {
 
 bool contains(const std::vector<std::string>& list, const std::string& item) {
-    return std::find(list.begin(), list.end(), item) != list.end();
+    return std::ranges::find(list, item) != list.end();
 }
 
 }  // namespace
@@ -22,11 +22,15 @@ Completion completion_of(const PublishedTables& tables, const std::string& metho
     return contains(tables.reciprocal_methods, method) ? Completion::reciprocal : Completion::direct;
 }
 
+bool has_readings(const PublishedTables& tables, const std::string& table) {
+    return std::ranges::find(tables.readings, table, &Reading::table) != tables.readings.end();
+}
+
 std::vector<Experiment> collect_experiments(const PublishedTables& tables) {
     std::vector<Experiment> experiments;
     for (std::size_t f = 0; f < tables.figures.size(); ++f) {
         const Figure& figure = tables.figures[f];
-        const auto same = std::find_if(experiments.begin(), experiments.end(), [&](const Experiment& e) {
+        const auto same = std::ranges::find_if(experiments, [&](const Experiment& e) {
             return e.method == figure.method && e.patches_per_face == figure.patches_per_face &&
                    e.samples_per_patch == figure.samples_per_patch;
         });

@@ -29,6 +29,9 @@ std::vector<Experiment> collect_experiments(const PublishedTables& tables);
 bool is_sampling(const PublishedTables& tables, const std::string& method);
 Completion completion_of(const PublishedTables& tables, const std::string& method);
 
+/// Whether there are other readings of a table's columns.
+bool has_readings(const PublishedTables& tables, const std::string& table);
+
 /// "SR, 169 patches per face, 625 rays per patch".
 std::string describe(const Experiment& experiment);
 

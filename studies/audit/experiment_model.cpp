@@ -32,8 +32,8 @@ class ModelBuilder {
 
     ExperimentModel build() {
         add_sums();
-        const bool pairs = std::any_of(experiment_.figures.begin(), experiment_.figures.end(),
-                                       [&](std::size_t f) { return !tables_.figures[f].to.empty(); });
+        const bool pairs =
+            std::ranges::any_of(experiment_.figures, [&](std::size_t f) { return !tables_.figures[f].to.empty(); });
         if (pairs) {
             add_pairs();
             add_row_sums();
@@ -99,7 +99,7 @@ class ModelBuilder {
             if (model_.distribution) {
                 const int face = static_cast<int>(i);
                 const double mean = model_.distribution->mean.row(face).sum();
-                const double largest = *std::max_element(facts_.areas.begin(), facts_.areas.end());
+                const double largest = *std::ranges::max_element(facts_.areas);
                 add_plausible_range(variable, {mean, mean}, model_.distribution->sum_sigma(face),
                                     one_hit() * largest / area(i));
             }
@@ -281,7 +281,7 @@ class ModelBuilder {
     [[nodiscard]] bool follows_from_print(const Figure& error, Range percent, double reference) const {
         const auto values = values_of_pair_.find({error.from, error.to});
         if (values == values_of_pair_.end()) return false;
-        return std::any_of(values->second.begin(), values->second.end(), [&](std::size_t f) {
+        return std::ranges::any_of(values->second, [&](std::size_t f) {
             const auto range = printed_range(tables_.figures[f].printed, model_.interpretation.values);
             return range && error_fits(*range, percent, reference);
         });
@@ -310,8 +310,8 @@ std::vector<std::size_t> prints_of(const ExperimentModel& model, const std::vect
     std::vector<std::size_t> figures;
     for (const FigureLink& link : model.links) {
         if (!is_value(model.tables.figures[link.figure])) continue;
-        const bool part = std::any_of(terms.begin(), terms.end(),
-                                      [&](const Term& term) { return term.variable == link.quantity->variable; });
+        const bool part =
+            std::ranges::any_of(terms, [&](const Term& term) { return term.variable == link.quantity->variable; });
         if (part) figures.push_back(link.figure);
     }
     return figures;

@@ -15,7 +15,7 @@ std::vector<std::size_t> figures_of(const ConstraintSystem& system, const std::v
     for (const std::size_t s : suspects) {
         figures.insert(figures.end(), system.suspects[s].figures.begin(), system.suspects[s].figures.end());
     }
-    std::sort(figures.begin(), figures.end());
+    std::ranges::sort(figures);
     return figures;
 }
 
@@ -66,7 +66,7 @@ std::string explain_closure(const ExperimentModel& model, const Diagnosis& diagn
                             Finding& finding) {
     const Experiment& experiment = model.experiment;
     const auto& constraints = model.system.constraints;
-    const auto broken = std::find_if(constraints.begin(), constraints.end(), [&](const Constraint& constraint) {
+    const auto broken = std::ranges::find_if(constraints, [&](const Constraint& constraint) {
         return constraint.suspect == suspect &&
                !diagnosis.ranges[constraint.terms.front().variable].contains(constraint.values.low);
     });
@@ -113,8 +113,7 @@ class Explainer {
         std::vector<Finding> findings;
         std::vector<std::vector<std::size_t>> groups;
         for (const std::size_t s : best_.diagnosis.blamed) {
-            const auto same = std::find_if(groups.begin(), groups.end(),
-                                           [&](const auto& group) { return same_quantity(group.front(), s); });
+            const auto same = std::ranges::find_if(groups, [&](const auto& g) { return same_quantity(g.front(), s); });
             if (same == groups.end()) {
                 groups.push_back({s});
             } else {
@@ -133,7 +132,7 @@ class Explainer {
   private:
     [[nodiscard]] bool is_blamed(std::size_t suspect) const {
         const auto& blamed = best_.diagnosis.blamed;
-        return std::find(blamed.begin(), blamed.end(), suspect) != blamed.end();
+        return std::ranges::find(blamed, suspect) != blamed.end();
     }
 
     [[nodiscard]] bool same_quantity(std::size_t a, std::size_t b) const {
@@ -147,10 +146,9 @@ class Explainer {
 
     [[nodiscard]] const Correction* correction_of(std::size_t suspect) const {
         const auto& figures = model_.system.suspects[suspect].figures;
-        for (const Correction& correction : best_.corrections) {
-            if (!figures.empty() && correction.figure == figures.front()) return &correction;
-        }
-        return nullptr;
+        if (figures.empty()) return nullptr;
+        const auto found = std::ranges::find(best_.corrections, figures.front(), &Correction::figure);
+        return found == best_.corrections.end() ? nullptr : &*found;
     }
 
     Finding explain_group(const std::vector<std::size_t>& group) {
@@ -182,7 +180,7 @@ class Explainer {
         for (const Evidence& evidence : finding.evidence) {
             finding.involved.insert(finding.involved.end(), evidence.figures.begin(), evidence.figures.end());
         }
-        std::sort(finding.involved.begin(), finding.involved.end());
+        std::ranges::sort(finding.involved);
         finding.involved.erase(std::unique(finding.involved.begin(), finding.involved.end()), finding.involved.end());
         return finding;
     }
@@ -267,9 +265,9 @@ class Explainer {
 
     /// Whether anything but its pairs determines a row sum; otherwise it is not evidence about them.
     [[nodiscard]] bool is_stated(std::size_t sum) const {
-        return std::any_of(model_.system.constraints.begin(), model_.system.constraints.end(), [&](const auto& c) {
+        return std::ranges::any_of(model_.system.constraints, [&](const auto& c) {
             return c.relation != Relation::row_sum &&
-                   std::any_of(c.terms.begin(), c.terms.end(), [&](const Term& term) { return term.variable == sum; });
+                   std::ranges::any_of(c.terms, [&](const Term& term) { return term.variable == sum; });
         });
     }
 
@@ -298,7 +296,7 @@ class Explainer {
 
     /// Label of the face whose row sum is `variable`; the first of faces that look alike.
     [[nodiscard]] std::string row_of(std::size_t variable) const {
-        const auto found = std::find(model_.sums.begin(), model_.sums.end(), variable);
+        const auto found = std::ranges::find(model_.sums, variable);
         return model_.facts.scene.faces[static_cast<std::size_t>(found - model_.sums.begin())];
     }
 
@@ -309,9 +307,8 @@ class Explainer {
         for (std::size_t d = 1; d < diagnoses_.size(); ++d) {
             const JudgedDiagnosis& other = diagnoses_[d];
             const auto spared = without(best_.diagnosis.blamed, other.diagnosis.blamed);
-            const bool mine = std::any_of(group.begin(), group.end(), [&](std::size_t s) {
-                return std::find(spared.begin(), spared.end(), s) != spared.end();
-            });
+            const bool mine =
+                std::ranges::any_of(group, [&](std::size_t s) { return std::ranges::find(spared, s) != spared.end(); });
             if (!mine) continue;
             std::vector<std::string> parts;
             for (const std::size_t s : without(other.diagnosis.blamed, best_.diagnosis.blamed)) {

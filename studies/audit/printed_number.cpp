@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 namespace ff::studies::audit {
@@ -172,9 +173,7 @@ std::vector<FormatEvidence> weigh_formats(std::span<const SampledFigure> figures
             all.push_back(weigh_format(figures, {rounding, layout, digits}));
         }
     }
-    std::stable_sort(all.begin(), all.end(), [](const FormatEvidence& a, const FormatEvidence& b) {
-        return a.log_likelihood > b.log_likelihood;
-    });
+    std::ranges::stable_sort(all, std::ranges::greater{}, &FormatEvidence::log_likelihood);
     return all;
 }
 

@@ -126,12 +126,12 @@ std::string quote(const PublishedTables& tables, std::size_t figure) {
 
 std::string both_ways(const ExperimentModel& model, const Constraint& constraint) {
     const std::vector<TiedPair> tied = tied_pairs(model);
-    const auto pair = std::find_if(tied.begin(), tied.end(), [&](const TiedPair& p) {
+    const auto pair = std::ranges::find_if(tied, [&](const TiedPair& p) {
         return p.there == constraint.terms.front().variable && p.back == constraint.terms.back().variable;
     });
     FF_EXPECT(pair != tied.end());
     const auto side = [&](std::size_t variable, std::size_t from, std::size_t to) {
-        const auto print = std::find_if(model.links.begin(), model.links.end(), [&](const FigureLink& link) {
+        const auto print = std::ranges::find_if(model.links, [&](const FigureLink& link) {
             return model.tables.figures[link.figure].kind == FigureKind::form_factor &&
                    link.quantity->variable == variable;
         });

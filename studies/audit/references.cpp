@@ -80,7 +80,7 @@ std::vector<Group> collect_groups(const PublishedTables& tables, const SceneFact
         const double exact = limits.middle();
         if (exact <= 0) continue;
         const double uncertainty = limits.high - exact;
-        auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& g) {
+        auto group = std::ranges::find_if(groups, [&](const Group& g) {
             return g.table == figure.table && std::abs(g.exact - exact) < 1e-9 && g.uncertainty == uncertainty;
         });
         if (group == groups.end()) {
@@ -149,7 +149,7 @@ class RowCounter {
     }
     [[nodiscard]] std::size_t count(const std::vector<Row>& rows, double reference) const {
         return static_cast<std::size_t>(
-            std::count_if(rows.begin(), rows.end(), [&](const Row& row) { return explains(row, reference); }));
+            std::ranges::count_if(rows, [&](const Row& row) { return explains(row, reference); }));
     }
 
   private:

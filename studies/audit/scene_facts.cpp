@@ -22,7 +22,7 @@ std::vector<std::size_t> congruent_pairs(const Scene& scene, const Eigen::Matrix
     for (int i = 0; i < faces; ++i) {
         for (int j = 0; j < faces; ++j) {
             const std::pair kind{exact(i, j), pair_class(scene, i, j)};
-            const auto same = std::find_if(kinds.begin(), kinds.end(), [&](const auto& other) {
+            const auto same = std::ranges::find_if(kinds, [&](const auto& other) {
                 return other.second == kind.second && std::abs(other.first - kind.first) < alike * kind.first;
             });
             result.push_back(static_cast<std::size_t>(same - kinds.begin()));
@@ -38,8 +38,8 @@ std::vector<std::size_t> congruent_faces(std::size_t faces, const std::vector<st
     for (std::size_t i = 0; i < faces; ++i) {
         std::vector<std::size_t> row(pairs.begin() + static_cast<std::ptrdiff_t>(i * faces),
                                      pairs.begin() + static_cast<std::ptrdiff_t>((i + 1) * faces));
-        std::sort(row.begin(), row.end());
-        const auto same = std::find(rows.begin(), rows.end(), row);
+        std::ranges::sort(row);
+        const auto same = std::ranges::find(rows, row);
         result.push_back(static_cast<std::size_t>(same - rows.begin()));
         if (same == rows.end()) rows.push_back(row);
     }
@@ -83,7 +83,7 @@ Range SceneFacts::factor(std::size_t from, std::size_t to) const {
 }
 
 std::optional<std::size_t> SceneFacts::face(std::string_view label) const {
-    const auto found = std::find(scene.faces.begin(), scene.faces.end(), label);
+    const auto found = std::ranges::find(scene.faces, label);
     if (found == scene.faces.end()) return std::nullopt;
     return static_cast<std::size_t>(found - scene.faces.begin());
 }

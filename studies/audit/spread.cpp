@@ -67,9 +67,8 @@ std::optional<JointDistance> weigh_spread(const PublishedTables& tables, const S
                                           const SrDistribution& distribution, std::uint64_t rays,
                                           std::span<const SampledValue> values) {
     constexpr double fewest_hits = 4;
-    const bool pairs = std::any_of(values.begin(), values.end(), [&](const SampledValue& v) {
-        return tables.figures[v.figure].kind == FigureKind::form_factor;
-    });
+    const bool pairs = std::ranges::any_of(
+        values, [&](const SampledValue& v) { return tables.figures[v.figure].kind == FigureKind::form_factor; });
     const Eigen::MatrixXd& covariance = pairs ? distribution.pair_covariance : distribution.sum_covariance;
     std::map<Index, SampledValue> of_position;
     for (const SampledValue& v : values) {
@@ -111,9 +110,7 @@ std::vector<ReadingEvidence> weigh_readings(const PublishedTables& tables, const
                                             DistributionCache& cache) {
     std::vector<ReadingEvidence> all;
     for (const PublishedTable& table : tables.tables) {
-        const bool several = std::any_of(tables.readings.begin(), tables.readings.end(),
-                                         [&](const Reading& reading) { return reading.table == table.id; });
-        if (!several) continue;
+        if (!has_readings(tables, table.id)) continue;
         const std::size_t first = all.size();
         ReadingEvidence own{.table = table.id, .statement = "as the columns say", .stated_in = "columns"};
         own.rays_per_face.assign(table.column_titles.size(), 1);

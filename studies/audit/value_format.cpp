@@ -20,11 +20,6 @@ std::optional<Rounding> stated_rounding(const PublishedTables& tables) {
     return tables.rule == PrintingRule::rounded ? Rounding::rounded : Rounding::truncated;
 }
 
-bool has_readings(const PublishedTables& tables, const std::string& table) {
-    return std::any_of(tables.readings.begin(), tables.readings.end(),
-                       [&](const Reading& reading) { return reading.table == table; });
-}
-
 InferredFormat sampled_format(const PublishedTables& tables, const std::string& method) {
     std::vector<SampledFigure> figures;
     std::vector<SampledFigure> uncertain;
@@ -38,7 +33,7 @@ InferredFormat sampled_format(const PublishedTables& tables, const std::string& 
     finding.evidence = weigh_formats(figures.empty() ? uncertain : figures, tables.decimals);
     for (const FormatEvidence& evidence : finding.evidence) finding.candidates.push_back(evidence.format);
     const double best = finding.evidence.front().log_likelihood;
-    const auto chosen = std::find_if(finding.evidence.begin(), finding.evidence.end(), [&](const FormatEvidence& e) {
+    const auto chosen = std::ranges::find_if(finding.evidence, [&](const FormatEvidence& e) {
         return e.format.rounding == stated_rounding(tables).value_or(e.format.rounding);
     });
     finding.format =
@@ -120,8 +115,8 @@ std::optional<Finding> judge_printing_rule(const PublishedTables& tables, const 
     for (const FormatEvidence& e : inferred.evidence) {
         if (e.format == inferred.format) add(e);
     }
-    const auto other = std::find_if(inferred.evidence.begin(), inferred.evidence.end(),
-                                    [&](const FormatEvidence& e) { return e.format.rounding == *stated; });
+    const auto other =
+        std::ranges::find_if(inferred.evidence, [&](const FormatEvidence& e) { return e.format.rounding == *stated; });
     if (other != inferred.evidence.end()) add(*other);
     return f;
 }

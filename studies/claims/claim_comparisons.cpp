@@ -106,8 +106,7 @@ Competitors competitors(const ClaimEvidence& evidence, const PublishedClaim& cla
                               mean_with_error(class_errors(evidence, cell, pairs), level),
                               plan.cells[cell].deterministic});
         }
-        std::stable_sort(result.begin(), result.end(),
-                         [](const Competitor& a, const Competitor& b) { return a.error.mean < b.error.mean; });
+        std::ranges::stable_sort(result, {}, [](const Competitor& each) { return each.error.mean; });
         return result;
     };
     return {sorted("parallel"), sorted("adjacent")};
@@ -117,7 +116,7 @@ Competitors competitors(const ClaimEvidence& evidence, const PublishedClaim& cla
 std::vector<std::string> names_where(const std::vector<Competitor>& all, auto passes) {
     std::vector<std::string> names;
     for (const Competitor& each : all) {
-        if (passes(each) && std::find(names.begin(), names.end(), each.name) == names.end()) names.push_back(each.name);
+        if (passes(each) && std::ranges::find(names, each.name) == names.end()) names.push_back(each.name);
     }
     return names;
 }

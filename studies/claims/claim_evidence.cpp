@@ -30,10 +30,9 @@ std::vector<std::size_t> ClaimEvidence::cells(const PublishedClaim& claim, std::
     std::erase_if(found, [&](std::size_t i) {
         return findings_.plan.spec.methods[findings_.plan.cells[i].method].name != claim.methods[method];
     });
-    std::sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {
-        const Cell& x = findings_.plan.cells[a];
-        const Cell& y = findings_.plan.cells[b];
-        return std::pair(x.subdivision.m, x.samples_per_patch) < std::pair(y.subdivision.m, y.samples_per_patch);
+    std::ranges::sort(found, {}, [&](std::size_t i) {
+        const Cell& cell = findings_.plan.cells[i];
+        return std::pair(cell.subdivision.m, cell.samples_per_patch);
     });
     return found;
 }
@@ -101,8 +100,7 @@ Share share_of(std::size_t count, std::size_t of, double level) {
 
 MeanWithError mean_with_error(const std::vector<double>& values, double level) {
     const double mean = *stats::moments_of(values, values.front()).mean();
-    if (std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); }))
-        return {mean, 0};
+    if (std::ranges::all_of(values, [&](double value) { return value == values.front(); })) return {mean, 0};
     const auto interval = stats::mean_interval(values, mean, level);
     return {mean, interval ? std::max(-interval->low, interval->high) : std::numeric_limits<double>::infinity()};
 }

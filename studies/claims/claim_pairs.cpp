@@ -97,7 +97,7 @@ Judgement judge_not_always_smaller(const ClaimEvidence& evidence, const Publishe
     if (cells.empty() || rivals.empty()) return not_in_study();
     return against_each(rivals, [&](const Opponent& rival) -> Judgement {
         const auto counts = counts_above(evidence, cells.front(), pairs, rival.errors);
-        const auto some = std::count_if(counts.begin(), counts.end(), [](double count) { return count > 0; });
+        const auto some = std::ranges::count_if(counts, [](double count) { return count > 0; });
         const Share share = share_of(static_cast<std::size_t>(some), counts.size(), evidence.level());
         // "Not always" wants an event that really happens: more than one run in twenty.
         return {is_above(share.interval.low, share.interval.high, 0.05),
@@ -113,7 +113,7 @@ Judgement judge_uniform(const ClaimEvidence& evidence, const PublishedClaim& cla
         const auto pairs = evidence.pairs(pair_class);
         if (pairs.empty()) continue;
         const auto errors = evidence.pair_errors(cells.front(), 0, pairs);
-        const auto [least, most] = std::minmax_element(errors.begin(), errors.end());
+        const auto [least, most] = std::ranges::minmax_element(errors);
         if (*most - *least > 1e-6 * *most + rounding_percent) judgement.verdict = ClaimVerdict::refuted;
         judgement.evidence += *most < rounding_percent ? fmt::format("{} pairs are exact to rounding. ", pair_class)
                                                        : fmt::format("r.e. on {} pairs from {:.4g} % to {:.4g} %. ",
@@ -129,10 +129,9 @@ std::string hardest_and_easiest(const ClaimEvidence& evidence, std::size_t cell,
     const CellAnalysis& found = evidence.findings().cells[cell];
     const PairSpreads spreads = spreads_of(plan, found, *evidence.cells().load(cell), pairs);
     const auto& logarithms = spreads.logarithms;
-    if (!std::all_of(logarithms.begin(), logarithms.end(), [](const auto& each) { return each.has_value(); }))
-        return {};
-    const auto [least, most] = std::minmax_element(logarithms.begin(), logarithms.end(),
-                                                   [](const auto& a, const auto& b) { return a->value < b->value; });
+    if (!std::ranges::all_of(logarithms, [](const auto& each) { return each.has_value(); })) return {};
+    const auto [least, most] =
+        std::ranges::minmax_element(logarithms, [](const auto& a, const auto& b) { return a->value < b->value; });
     const auto both = compared_spreads({{*least}, spreads.skewness}, {{*most}, spreads.skewness}, 0);
     // These two were chosen by their values, so that the interval has to hold for all couples.
     const double couples = static_cast<double>(pairs.size() * (pairs.size() - 1)) / 2;
@@ -151,8 +150,8 @@ Judgement judge_nonuniform(const ClaimEvidence& evidence, const PublishedClaim& 
     std::vector<double> ratios;
     for (std::size_t t = 0; t < evidence.cells().load(cells.front())->trials(); ++t) {
         const auto errors = evidence.pair_errors(cells.front(), t, pairs);
-        ratios.push_back(*std::max_element(errors.begin(), errors.end()) /
-                         std::accumulate(errors.begin(), errors.end(), 0.0) * static_cast<double>(errors.size()));
+        ratios.push_back(*std::ranges::max_element(errors) / std::accumulate(errors.begin(), errors.end(), 0.0) *
+                         static_cast<double>(errors.size()));
     }
     const double level = evidence.level();
     const auto range = stats::central_range(ratios, level);
@@ -174,8 +173,7 @@ Judgement judge_claimed_errors_hold(const ClaimEvidence& evidence, const Publish
     for (const ClaimedErrors& found : judge_claimed_errors(evidence.cells())) {
         const bool in_question =
             claim.pair_class.empty() || claim.pair_class == "all" || claim.pair_class == name(found.pair_class);
-        if (!in_question || found.claimant == Claimant::one_run ||
-            std::find(cells.begin(), cells.end(), found.cell) == cells.end())
+        if (!in_question || found.claimant == Claimant::one_run || std::ranges::find(cells, found.cell) == cells.end())
             continue;
         claims += found.claims;
         held += found.held;

@@ -41,7 +41,7 @@ std::vector<JudgedClaim> judge_claims(const CellReader& cells, const Analysis& f
     const ClaimEvidence evidence(cells, findings, tables, scene.value_or(0));
     std::vector<JudgedClaim> judged;
     for (const PublishedClaim& claim : tables.claims) {
-        const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const Kind& k) { return k.name == claim.kind; });
+        const auto kind = std::ranges::find(kinds, claim.kind, &Kind::name);
         Judgement judgement{ClaimVerdict::inconclusive,
                             "A claim of this kind cannot be judged by numbers of the study."};
         if (kind != kinds.end() && !scene) judgement = not_in_study();

@@ -21,7 +21,7 @@ namespace {
 /// Number from 1 of the face with this label; 0 for an empty label.
 int face_number(const Scene& scene, const std::string& label) {
     if (label.empty()) return 0;
-    const auto found = std::find(scene.faces.begin(), scene.faces.end(), label);
+    const auto found = std::ranges::find(scene.faces, label);
     if (found == scene.faces.end()) {
         throw UserError(fmt::format("published tables: face '{}' (scene '{}' has no such face). Use its face labels.",
                                     label, scene.name));
@@ -142,7 +142,7 @@ void add_chi_squared(const PublishedTables& tables, const Analysis& findings,
             samples.push_back(&estimates.at(*figure->cell)->values(figure->quantity));
         }
         if (samples.front()->size() < 2 * samples.size()) continue;  // too few trials for a covariance
-        if (std::any_of(figures.begin(), figures.end(), [&](const FigureComparison* figure) {
+        if (std::ranges::any_of(figures, [&](const FigureComparison* figure) {
                 return findings.cells[*figure->cell].summary(figure->quantity).variance == VarianceStatus::infinite;
             }))
             continue;
@@ -164,8 +164,7 @@ double half_printed_unit(const std::string& printed) {
 
 std::optional<std::size_t> find_scene(const StudyPlan& plan, const PublishedTables& tables) {
     const std::string canonical = make_scene(tables.scene).canonical;
-    const auto found = std::find_if(plan.scenes.begin(), plan.scenes.end(),
-                                    [&](const Scene& scene) { return scene.canonical == canonical; });
+    const auto found = std::ranges::find(plan.scenes, canonical, &Scene::canonical);
     return found == plan.scenes.end() ? std::nullopt
                                       : std::optional(static_cast<std::size_t>(found - plan.scenes.begin()));
 }

@@ -179,7 +179,7 @@ SceneExplanation explain_scene(const Scene& scene) {
         explanation.areas[static_cast<std::size_t>(surface.face)] += area(surface.shape);
         ++explanation.surfaces[static_cast<std::size_t>(surface.face)];
         auto& grids = explanation.grids[static_cast<std::size_t>(surface.face)];
-        const bool is_new = std::find(grids.begin(), grids.end(), surface.grid) == grids.end();
+        const bool is_new = std::ranges::find(grids, surface.grid) == grids.end();
         if (with_grids && is_new) grids.push_back(surface.grid);
     }
     if (faces <= most_faces) {

@@ -63,12 +63,12 @@ Quantity parse_quantity(const JsonReader& reader, const JsonValue& value, const 
 Quantity read_quantity(const JsonReader& reader, const JsonValue& value, const Scene& scene) {
     Quantity quantity = parse_quantity(reader, value, scene);
     for (const std::string& label : {quantity.from, quantity.to}) {
-        if (label.empty() || std::find(scene.faces.begin(), scene.faces.end(), label) != scene.faces.end()) continue;
+        if (label.empty() || std::ranges::find(scene.faces, label) != scene.faces.end()) continue;
         reader.fail(value, fmt::format("face \"{}\" is not in the scene \"{}\" (its faces are {}). Correct the "
                                        "row's quantity.",
                                        label, scene.name, fmt::join(scene.faces, ", ")));
     }
-    const auto from = std::find(scene.faces.begin(), scene.faces.end(), quantity.from) - scene.faces.begin();
+    const auto from = std::ranges::find(scene.faces, quantity.from) - scene.faces.begin();
     if (!quantity.to.empty() && quantity.from == quantity.to && !sees_itself(scene, static_cast<int>(from))) {
         reader.fail(value, fmt::format("a form factor of face \"{}\" to itself (it is flat and does not see itself). "
                                        "Correct the row's quantity.",
@@ -83,7 +83,7 @@ Column read_column(const JsonReader& reader, const JsonValue& value, const Publi
     Column column;
     const JsonValue& method = reader.member(value, "method", "the column");
     column.method = reader.text(method, "method");
-    if (std::find(methods.begin(), methods.end(), column.method) == methods.end()) {
+    if (std::ranges::find(methods, column.method) == methods.end()) {
         const std::string nearest = nearest_name(column.method, methods);
         reader.fail(method,
                     fmt::format(R"("{}" is not among the file's "methods".{})", column.method,
@@ -94,7 +94,7 @@ Column read_column(const JsonReader& reader, const JsonValue& value, const Publi
         column.samples_per_patch = reader.count(*samples, "samples_per_patch", most_samples);
     }
     const auto& sampling = tables.sampling_methods;
-    if (std::find(sampling.begin(), sampling.end(), column.method) != sampling.end() && !column.samples_per_patch) {
+    if (std::ranges::find(sampling, column.method) != sampling.end() && !column.samples_per_patch) {
         reader.fail(value, fmt::format("a column of the sampling method \"{}\" has no \"samples_per_patch\" (its "
                                        "figures are hits over rays). Add it.",
                                        column.method));
@@ -180,8 +180,7 @@ void read_reading(const JsonReader& reader, const JsonValue& value, PublishedTab
     Reading reading;
     const JsonValue& id = reader.member(value, "table", "the reading");
     reading.table = reader.text(id, "table");
-    const auto table = std::find_if(tables.tables.begin(), tables.tables.end(),
-                                    [&](const PublishedTable& other) { return other.id == reading.table; });
+    const auto table = std::ranges::find(tables.tables, reading.table, &PublishedTable::id);
     if (table == tables.tables.end()) {
         reader.fail(id, fmt::format("there is no table \"{}\" to read differently.", reading.table));
     }
@@ -240,7 +239,7 @@ std::vector<std::string_view> read_methods(const JsonReader& reader, const JsonV
         reader.expect_object(method, "a method", {"name", "samples", "completion"});
         const JsonValue& name = reader.member(method, "name", "the method");
         reader.text(name, "name");
-        if (std::find(names.begin(), names.end(), name.text) != names.end()) {
+        if (std::ranges::find(names, name.text) != names.end()) {
             reader.fail(name, fmt::format("two methods are called \"{}\". Rename one.", name.text));
         }
         names.emplace_back(name.text);
@@ -313,8 +312,7 @@ std::string read_tables_text(const std::filesystem::path& file) {
 
 std::string describe(const PublishedTables& tables, std::size_t figure) {
     const Figure& f = tables.figures[figure];
-    const auto table = std::find_if(tables.tables.begin(), tables.tables.end(),
-                                    [&](const PublishedTable& other) { return other.id == f.table; });
+    const auto table = std::ranges::find(tables.tables, f.table, &PublishedTable::id);
     return fmt::format("{}, {}, {}", f.table, table->row_titles[f.row], table->column_titles[f.column]);
 }
 

@@ -75,9 +75,7 @@ Scene read_scene_of_tables(const JsonReader& reader, const JsonValue& value, Sce
 
 std::optional<std::pair<std::string, std::string>> split_pair(std::string_view text,
                                                               const std::vector<std::string>& faces) {
-    const auto is_face = [&](std::string_view name) {
-        return std::find(faces.begin(), faces.end(), name) != faces.end();
-    };
+    const auto is_face = [&](std::string_view name) { return std::ranges::find(faces, name) != faces.end(); };
     std::optional<std::pair<std::string, std::string>> pair;
     for (std::size_t dash = text.find('-'); dash != std::string_view::npos; dash = text.find('-', dash + 1)) {
         const std::string_view from = text.substr(0, dash);

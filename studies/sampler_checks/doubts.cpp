@@ -72,11 +72,8 @@ std::optional<SamplerCheck> shifted_slices(const StructureEvidence& evidence) {
     std::uint64_t whole = 0;
     for (const SetStructure& set : evidence.sets) {
         const auto& coordinates = set.coordinates;
-        if (!std::all_of(coordinates.begin(), coordinates.end(), [](const auto& one) { return one.fills_shifted; }))
-            return std::nullopt;
-        if (std::all_of(coordinates.begin(), coordinates.end(),
-                        [n](const auto& one) { return one.single_slices == n; }))
-            ++whole;
+        if (!std::ranges::all_of(coordinates, [](const auto& one) { return one.fills_shifted; })) return std::nullopt;
+        if (std::ranges::all_of(coordinates, [n](const auto& one) { return one.single_slices == n; })) ++whole;
     }
     if (whole == evidence.sets.size()) return std::nullopt;
     return SamplerCheck{"shifted slices", SamplerVerdict::inconclusive,
@@ -91,8 +88,8 @@ std::optional<SamplerCheck> part_of_latin(const StructureEvidence& evidence) {
     const std::uint64_t n = evidence.drawn.points;
     if (!is_telling_size(n, evidence.drawn.dimension)) return std::nullopt;
     const std::uint64_t more = evidence.sets.front().coordinates.front().free_slices;
-    const bool are_all_alike = std::all_of(evidence.sets.begin(), evidence.sets.end(), [&](const SetStructure& set) {
-        return std::all_of(set.coordinates.begin(), set.coordinates.end(), [&](const CoordinateStructure& one) {
+    const bool are_all_alike = std::ranges::all_of(evidence.sets, [&](const SetStructure& set) {
+        return std::ranges::all_of(set.coordinates, [&](const CoordinateStructure& one) {
             return one.free_slices == more && one.single_slices < n;  // grids have a free slice more, too
         });
     });
@@ -188,12 +185,12 @@ bool shares_origins(const StructureEvidence& evidence, const std::vector<std::si
 }
 
 bool has_lattice(const std::vector<Promise>& kept) {
-    return std::count(kept.begin(), kept.end(), Promise{PromiseKind::lattice}) > 0;
+    return std::ranges::count(kept, Promise{PromiseKind::lattice}) > 0;
 }
 
 /// Whether this many values per coordinate are those of a regular grid with one point in each of its cells.
 bool is_grid(const StructureEvidence& evidence, const std::vector<Promise>& kept, std::uint64_t values) {
-    return std::count(kept.begin(), kept.end(), Promise{PromiseKind::stratified}) > 0 &&
+    return std::ranges::count(kept, Promise{PromiseKind::stratified}) > 0 &&
            values == samplers::floor_root(evidence.drawn.points, evidence.drawn.dimension);
 }
 
@@ -231,7 +228,7 @@ CommonValues common_values(const StructureEvidence& evidence, std::size_t d) {
     for (std::uint32_t set = 0; set < drawn.sets; ++set) {
         for (const std::uint32_t x : drawn.row(set, d)) values.emplace_back(x, set);
     }
-    std::sort(values.begin(), values.end());
+    std::ranges::sort(values);
     CommonValues found;
     std::vector<bool> in_common(drawn.sets * drawn.sets, false);
     for (auto first = values.begin(); first != values.end();) {
@@ -244,7 +241,7 @@ CommonValues common_values(const StructureEvidence& evidence, std::size_t d) {
         for (std::size_t a = 0; a < sets.size(); ++a)
             for (std::size_t b = a + 1; b < sets.size(); ++b) in_common[sets[a] * drawn.sets + sets[b]] = true;
     }
-    found.sharing = static_cast<std::uint64_t>(std::count(in_common.begin(), in_common.end(), true));
+    found.sharing = static_cast<std::uint64_t>(std::ranges::count(in_common, true));
     return found;
 }
 
@@ -303,9 +300,7 @@ std::vector<SamplerCheck> doubt_values(const StructureEvidence& evidence, const 
     const bool origins = !repeating.empty() && shares_origins(evidence, repeating);
     for (const std::size_t d : repeating) {
         const auto values = [d](const SetStructure& set) { return set.coordinates[d].values; };
-        const auto [least, most] =
-            std::minmax_element(evidence.sets.begin(), evidence.sets.end(),
-                                [&](const auto& a, const auto& b) { return values(a) < values(b); });
+        const auto [least, most] = std::ranges::minmax_element(evidence.sets, {}, values);
         const char* const why = origins             ? ", as where consecutive points share an origin"
                                 : has_lattice(kept) ? ", as in the lattice that is promised"
                                 : is_grid(evidence, kept, values(*least)) && is_grid(evidence, kept, values(*most))

@@ -93,8 +93,8 @@ class SliceCounter {
                 sums_[d].variance[k] += squares / (points * (1 - 1 / slices));
             }
         }
-        std::fill(in_slice_.begin(), in_slice_.end(), 0u);
-        std::fill(in_wide_.begin(), in_wide_.end(), WideCounts{});
+        std::ranges::fill(in_slice_, 0u);
+        std::ranges::fill(in_wide_, WideCounts{});
     }
 
     [[nodiscard]] std::vector<SliceCounts> averages(std::uint64_t trials) const {

@@ -67,8 +67,8 @@ bool is_space(const std::vector<Digits>& vectors) {
     }
     if (basis.size() != rank) return false;
     std::vector<Digits> sorted = vectors;
-    std::sort(sorted.begin(), sorted.end());
-    return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+    std::ranges::sort(sorted);
+    return std::ranges::adjacent_find(sorted) == sorted.end();
 }
 
 bool is_possible_net(const samplers::PointSet& set) {

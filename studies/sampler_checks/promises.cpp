@@ -26,7 +26,7 @@ std::optional<FullCell> full_cell(const samplers::PointSet& set, std::uint64_t w
     std::optional<FullCell> found;
     for (const samplers::Sorting& sorting : samplers::sortings(set, which, k)) {
         const auto counts = points_of_cells(sorting, k);
-        const auto fullest = std::max_element(counts.begin(), counts.end());
+        const auto fullest = std::ranges::max_element(counts);
         if (*fullest <= 1) return std::nullopt;
         if (!found) found = FullCell{static_cast<std::uint64_t>(fullest - counts.begin()), *fullest};
     }

@@ -95,7 +95,7 @@ Tested equally_likely(std::string name, const std::vector<std::uint64_t>& counts
 
 /// Whether means differ by no more than the rounding of coordinates to 32 bits leaves of one value.
 bool is_constant(const std::vector<double>& means) {
-    const auto [least, most] = std::minmax_element(means.begin(), means.end());
+    const auto [least, most] = std::ranges::minmax_element(means);
     return *most - *least <= rounding_of_means;
 }
 

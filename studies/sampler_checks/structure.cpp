@@ -19,7 +19,7 @@ std::uint64_t count_singles(const samplers::PointSet& set, std::uint64_t which, 
     std::uint64_t most = 0;
     for (const samplers::Sorting& sorting : samplers::sortings(set, which, k)) {
         const auto cells = points_of_cells(sorting, k);
-        const auto singles = static_cast<std::uint64_t>(std::count(cells.begin(), cells.end(), 1));
+        const auto singles = static_cast<std::uint64_t>(std::ranges::count(cells, 1));
         most = std::max(most, singles + (set.points - sorting.set.points));
     }
     return most;
@@ -29,8 +29,8 @@ std::uint64_t count_singles(const samplers::PointSet& set, std::uint64_t which, 
 std::vector<std::uint32_t> first_with_value(std::span<const std::uint32_t> row) {
     std::vector<std::uint32_t> order(row.size());
     std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return row[a] != row[b] ? row[a] < row[b] : a < b; });
+    std::ranges::sort(order,
+                      [&](std::uint32_t a, std::uint32_t b) { return row[a] != row[b] ? row[a] < row[b] : a < b; });
     std::vector<std::uint32_t> first(row.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
         const bool known = i > 0 && row[order[i]] == row[order[i - 1]];
@@ -62,7 +62,7 @@ CoordinateStructure coordinate_structure(const std::vector<std::uint32_t>& first
 bool fills_shifted_slices(std::span<const std::uint32_t> row) {
     if (row.size() > most_for_groups) return false;
     std::vector<std::uint32_t> sorted(row.begin(), row.end());
-    std::sort(sorted.begin(), sorted.end());
+    std::ranges::sort(sorted);
     const auto n = static_cast<std::int64_t>(row.size());
     std::int64_t least = std::numeric_limits<std::int64_t>::max();
     std::int64_t most = std::numeric_limits<std::int64_t>::min();
@@ -85,7 +85,7 @@ std::uint64_t free_slices(std::span<const std::uint32_t> row) {
             taken[slice] = true;
             return is_free;
         };
-        if (std::all_of(row.begin(), row.end(), takes)) return more;
+        if (std::ranges::all_of(row, takes)) return more;
     }
     return 0;
 }
@@ -131,8 +131,7 @@ SetStructure structure_of(const samplers::PointSet& set, std::uint64_t which, st
         repeats.push_back(repeats_previous(set.row(which, d)));
         CoordinateStructure& coordinate =
             found.coordinates.emplace_back(coordinate_structure(first_with_value(set.row(which, d))));
-        coordinate.repeats_as =
-            static_cast<std::size_t>(std::find(repeats.begin(), repeats.end(), repeats.back()) - repeats.begin());
+        coordinate.repeats_as = static_cast<std::size_t>(std::ranges::find(repeats, repeats.back()) - repeats.begin());
         coordinate.free_slices = free_slices(set.row(which, d));
         coordinate.fills_shifted = fills_shifted_slices(set.row(which, d));
         coordinate.single_slices = count_singles(projection(set, which, {d}), 0, set.points);

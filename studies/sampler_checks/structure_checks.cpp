@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -29,12 +28,9 @@ double random_singles(std::uint64_t n) {
 
 /// "3", or "3 to 5", over all sets.
 std::string range(const StructureEvidence& evidence, const std::function<std::uint64_t(const SetStructure&)>& value) {
-    std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
-    std::uint64_t most = 0;
-    for (const SetStructure& set : evidence.sets) {
-        least = std::min(least, value(set));
-        most = std::max(most, value(set));
-    }
+    const auto [first, last] = std::ranges::minmax_element(evidence.sets, {}, value);
+    const std::uint64_t least = value(*first);
+    const std::uint64_t most = value(*last);
     return least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
 }
 
@@ -44,7 +40,7 @@ std::string by_coordinate(const StructureEvidence& evidence,
     std::vector<std::string> ranges;
     for (std::size_t d = 0; d < evidence.drawn.dimension; ++d)
         ranges.push_back(range(evidence, [&](const SetStructure& set) { return value(set.coordinates[d]); }));
-    if (std::count(ranges.begin(), ranges.end(), ranges.front()) == static_cast<std::ptrdiff_t>(ranges.size()))
+    if (std::ranges::count(ranges, ranges.front()) == static_cast<std::ptrdiff_t>(ranges.size()))
         return ranges.front() + " of every coordinate";
     std::string text;
     for (std::size_t d = 0; d < ranges.size(); ++d)
@@ -124,8 +120,7 @@ std::vector<SamplerCheck> describe(const StructureEvidence& evidence) {
     std::vector<SamplerCheck> notes{describe_values(evidence), describe_slices(evidence)};
     if (first.cells_a_side != 0) notes.push_back(describe_cells(evidence));
     if (first.t && first.points > 1) notes.push_back(describe_net(evidence));
-    const auto lattices =
-        std::count_if(evidence.sets.begin(), evidence.sets.end(), [](const SetStructure& set) { return set.lattice; });
+    const auto lattices = std::ranges::count_if(evidence.sets, [](const SetStructure& set) { return set.lattice; });
     if (lattices > 0 && first.points > 2)
         notes.push_back({"lattices", SamplerVerdict::note,
                          fmt::format("{} of {} sets are one, shifted or not", lattices, evidence.sets.size())});
@@ -149,9 +144,9 @@ SamplerCheck check_repeated_sets(std::span<const std::uint64_t> fingerprints) {
     const std::string name = "sets differ";
     if (sets_by_distance.empty()) return {name, SamplerVerdict::pass, "no set comes back"};
 
-    const auto [distance, sets] = *std::max_element(
-        sets_by_distance.begin(), sets_by_distance.end(),
-        [](const auto& a, const auto& b) { return std::pair(a.second, b.first) < std::pair(b.second, a.first); });
+    const auto [distance, sets] = *std::ranges::max_element(sets_by_distance, [](const auto& a, const auto& b) {
+        return std::pair(a.second, b.first) < std::pair(b.second, a.first);
+    });
     // Chernoff's bound of so many at one distance, times the number of distances.
     const auto found = static_cast<double>(sets);
     const double p = found <= expected ? 1 : count * std::exp(found - expected) * std::pow(expected / found, found);
