@@ -17,12 +17,14 @@
 namespace ff::studies {
 namespace {
 
+/// @param info  of an estimator or a sampler
+Description description_of(const auto& info) {
+    return {info.name, info.summary, info.details, info.reference};
+}
+
 std::vector<Description> describe_estimators() {
     std::vector<Description> all;
-    for (const EstimatorEntry& estimator : ff::estimators()) {
-        const EstimatorInfo& info = estimator.info;
-        all.push_back({info.name, info.summary, info.details, info.reference});
-    }
+    for (const EstimatorEntry& estimator : ff::estimators()) all.push_back(description_of(estimator.info));
     return all;
 }
 
@@ -155,10 +157,7 @@ std::span<const Choices> all_choices() {
 
 std::vector<Control> controls() {
     std::vector<Control> all;
-    for (const auto& sampler : samplers::controls()) {
-        const auto& info = sampler.info;
-        all.push_back({"sampler", {info.name, info.summary, info.details, info.reference}});
-    }
+    for (const auto& sampler : samplers::controls()) all.push_back({"sampler", description_of(sampler.info)});
     all.push_back({"tracer", leaky});
     all.push_back({"combination", adjacent_kernel});
     return all;

@@ -5,13 +5,13 @@
 #include "core/visibility/facing.hpp"
 #include "studies/published/scene_of_tables.hpp"
 #include "studies/readers/json_reader.hpp"
-#include "studies/readers/text_file.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace ff::studies {
 namespace {
@@ -23,6 +23,13 @@ constexpr double most_samples = 1e9;  // their product stays exact in 64 bits
 
 std::uint32_t read_patches(const JsonReader& reader, const JsonValue& value) {
     return static_cast<std::uint32_t>(reader.count(value, "patches_per_face", most_patches));
+}
+
+/// The elements of an array; none where the object has no such member.
+const std::vector<JsonValue>& optional_array(const JsonReader& reader, const JsonValue& object, std::string_view key) {
+    static const std::vector<JsonValue> none;
+    const JsonValue* const found = object.find(key);
+    return found == nullptr ? none : reader.array(*found, key);
 }
 
 struct Column {
@@ -37,6 +44,23 @@ struct Quantity {
     std::string from;
     std::string to;
 };
+
+/// The two faces of "1-6". Names may have dashes themselves; empty where no dash stands between names of faces.
+/// @throws UserError where several do
+std::optional<std::pair<std::string, std::string>> split_pair(std::string_view text,
+                                                              const std::vector<std::string>& faces) {
+    const auto is_face = [&](std::string_view name) { return std::ranges::find(faces, name) != faces.end(); };
+    std::optional<std::pair<std::string, std::string>> pair;
+    for (std::size_t dash = text.find('-'); dash != std::string_view::npos; dash = text.find('-', dash + 1)) {
+        const std::string_view from = text.substr(0, dash);
+        const std::string_view to = text.substr(dash + 1);
+        if (!is_face(from) || !is_face(to)) continue;
+        if (pair)
+            throw UserError(fmt::format("\"{}\" may be several pairs of faces. Rename a face of the scene.", text));
+        pair.emplace(from, to);
+    }
+    return pair;
+}
 
 Quantity parse_quantity(const JsonReader& reader, const JsonValue& value, const Scene& scene) {
     const std::string text = reader.text(value, "quantity");
@@ -206,24 +230,18 @@ PublishedClaim read_claim(const JsonReader& reader, const JsonValue& value) {
     claim.section = reader.optional_text(value, "section");
     claim.statement = reader.text(reader.member(value, "statement", "the claim"), "statement");
     claim.kind = reader.text(reader.member(value, "kind", "the claim"), "kind");
-    if (const JsonValue* methods = value.find("methods")) {
-        for (const JsonValue& method : reader.array(*methods, "methods")) {
-            claim.methods.push_back(reader.text(method, "methods"));
-        }
+    for (const JsonValue& method : optional_array(reader, value, "methods")) {
+        claim.methods.push_back(reader.text(method, "methods"));
     }
     if (const JsonValue* pair_class = value.find("pair_class")) {
         reader.choice(*pair_class, "pair_class", {"parallel", "adjacent", "all"});
         claim.pair_class = pair_class->text;
     }
-    if (const JsonValue* sizes = value.find("patches_per_face")) {
-        for (const JsonValue& size : reader.array(*sizes, "patches_per_face")) {
-            claim.patches_per_face.push_back(read_patches(reader, size));
-        }
+    for (const JsonValue& size : optional_array(reader, value, "patches_per_face")) {
+        claim.patches_per_face.push_back(read_patches(reader, size));
     }
-    if (const JsonValue* sizes = value.find("samples_per_patch")) {
-        for (const JsonValue& size : reader.array(*sizes, "samples_per_patch")) {
-            claim.samples_per_patch.push_back(reader.count(size, "samples_per_patch", most_samples));
-        }
+    for (const JsonValue& size : optional_array(reader, value, "samples_per_patch")) {
+        claim.samples_per_patch.push_back(reader.count(size, "samples_per_patch", most_samples));
     }
     if (const JsonValue* number = value.find("number")) {
         if (number->kind != Kind::number)
@@ -292,22 +310,15 @@ PublishedTables parse_published_tables(std::string_view text, std::string_view o
     for (const JsonValue& table : reader.array(reader.member(root, "tables", "the file"), "tables")) {
         read_table(reader, table, scene, methods, tables);
     }
-    if (const JsonValue* readings = root.find("readings")) {
-        for (const JsonValue& reading : reader.array(*readings, "readings")) read_reading(reader, reading, tables);
-    }
-    if (const JsonValue* claims = root.find("claims")) {
-        for (const JsonValue& claim : reader.array(*claims, "claims"))
-            tables.claims.push_back(read_claim(reader, claim));
+    for (const JsonValue& reading : optional_array(reader, root, "readings")) read_reading(reader, reading, tables);
+    for (const JsonValue& claim : optional_array(reader, root, "claims")) {
+        tables.claims.push_back(read_claim(reader, claim));
     }
     return tables;
 }
 
 PublishedTables read_published_tables(const std::filesystem::path& file) {
     return parse_published_tables(read_tables_text(file), file.string());
-}
-
-std::string read_tables_text(const std::filesystem::path& file) {
-    return with_scene_text(read_text_file(file, FileKind::tables), file);
 }
 
 std::string describe(const PublishedTables& tables, std::size_t figure) {

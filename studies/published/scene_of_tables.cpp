@@ -1,6 +1,8 @@
 #include "studies/published/scene_of_tables.hpp"
 
 #include "core/support/error.hpp"
+#include "studies/published/published.hpp"
+#include "studies/readers/text_file.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
 #include <fmt/format.h>
@@ -10,6 +12,9 @@
 
 namespace ff::studies {
 namespace {
+
+/// Audits have unknowns for every pair of faces.
+constexpr std::size_t most_faces_of_tables = 512;
 
 std::string json_text(std::string_view text) {
     std::string out = "\"";
@@ -39,8 +44,8 @@ std::size_t end_of_string(std::string_view text, std::size_t start) {
     return at + 1;
 }
 
-}  // namespace
-
+/// The text of a tables file that needs no other file: where it names a scene file beside it, that file's text follows
+/// the name. Columns of later values in that line move, lines do not.
 std::string with_scene_text(const std::string& text, const std::filesystem::path& file) {
     if (text.find_first_not_of(" \t\r\n") == std::string::npos) return text;
     const JsonValue root = parse_json(text, file.string());
@@ -51,6 +56,12 @@ std::string with_scene_text(const std::string& text, const std::filesystem::path
     source.text = read_scene_file(file.parent_path() / source.name);
     const std::size_t start = offset_of(text, scene->position);
     return text.substr(0, start) + json_text(source.written()) + text.substr(end_of_string(text, start));
+}
+
+}  // namespace
+
+std::string read_tables_text(const std::filesystem::path& file) {
+    return with_scene_text(read_text_file(file, FileKind::tables), file);
 }
 
 Scene read_scene_of_tables(const JsonReader& reader, const JsonValue& value, SceneSource& source) {
@@ -71,21 +82,6 @@ Scene read_scene_of_tables(const JsonReader& reader, const JsonValue& value, Sce
     } catch (const UserError& error) {
         reader.fail(value, error.what());
     }
-}
-
-std::optional<std::pair<std::string, std::string>> split_pair(std::string_view text,
-                                                              const std::vector<std::string>& faces) {
-    const auto is_face = [&](std::string_view name) { return std::ranges::find(faces, name) != faces.end(); };
-    std::optional<std::pair<std::string, std::string>> pair;
-    for (std::size_t dash = text.find('-'); dash != std::string_view::npos; dash = text.find('-', dash + 1)) {
-        const std::string_view from = text.substr(0, dash);
-        const std::string_view to = text.substr(dash + 1);
-        if (!is_face(from) || !is_face(to)) continue;
-        if (pair)
-            throw UserError(fmt::format("\"{}\" may be several pairs of faces. Rename a face of the scene.", text));
-        pair.emplace(from, to);
-    }
-    return pair;
 }
 
 }  // namespace ff::studies

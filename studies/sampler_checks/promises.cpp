@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace ff::studies {
 namespace {
@@ -85,17 +86,9 @@ Promise parse_promise(std::string_view text) {
 }
 
 std::string name_of(const Promise& promise) {
-    switch (promise.kind) {
-        case PromiseKind::latin:
-            return "latin";
-        case PromiseKind::net:
-            return fmt::format("net:{}", promise.t);
-        case PromiseKind::stratified:
-            return "stratified";
-        case PromiseKind::lattice:
-            break;
-    }
-    return "lattice";
+    constexpr std::array<std::string_view, 4> names{"latin", "net", "stratified", "lattice"};
+    const std::string_view name = names[static_cast<std::size_t>(promise.kind)];
+    return promise.kind == PromiseKind::net ? fmt::format("{}:{}", name, promise.t) : std::string(name);
 }
 
 std::string why_impossible(const Promise& promise, std::uint64_t points, std::size_t dimension, std::uint32_t base) {

@@ -125,7 +125,6 @@ std::uint32_t base_of_structure(std::uint64_t points, std::uint32_t base_of_powe
 SetStructure structure_of(const samplers::PointSet& set, std::uint64_t which, std::uint32_t base) {
     FF_EXPECT(which < set.sets && set.points >= 1);
     SetStructure found;
-    found.points = set.points;
     std::vector<std::vector<bool>> repeats;
     for (std::size_t d = 0; d < set.dimension; ++d) {
         repeats.push_back(repeats_previous(set.row(which, d)));

@@ -29,7 +29,6 @@ struct PairStructure {
 
 /// Facts about one point set; nothing in it is a judgement.
 struct SetStructure {
-    std::uint64_t points = 0;
     std::vector<CoordinateStructure> coordinates;
     std::uint64_t cells_a_side = 0;    ///< k where n = k^d, d > 1; else 0
     std::uint64_t single_cells = 0;    ///< cells that hold one point, of these n

@@ -119,9 +119,9 @@ std::vector<SamplerCheck> describe(const StructureEvidence& evidence) {
     const SetStructure& first = evidence.sets.front();
     std::vector<SamplerCheck> notes{describe_values(evidence), describe_slices(evidence)};
     if (first.cells_a_side != 0) notes.push_back(describe_cells(evidence));
-    if (first.t && first.points > 1) notes.push_back(describe_net(evidence));
+    if (first.t && evidence.drawn.points > 1) notes.push_back(describe_net(evidence));
     const auto lattices = std::ranges::count_if(evidence.sets, [](const SetStructure& set) { return set.lattice; });
-    if (lattices > 0 && first.points > 2)
+    if (lattices > 0 && evidence.drawn.points > 2)
         notes.push_back({"lattices", SamplerVerdict::note,
                          fmt::format("{} of {} sets are one, shifted or not", lattices, evidence.sets.size())});
     return notes;
