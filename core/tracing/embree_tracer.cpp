@@ -7,7 +7,6 @@
 #include "core/tracing/embree_version.hpp"
 #include "core/tracing/rays.hpp"
 #include "core/tracing/tracer.hpp"
-#include "core/tracing/tracer_version.hpp"
 #include "core/visibility/mirrors.hpp"
 
 #include <fmt/format.h>

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -95,36 +96,32 @@ std::unique_ptr<Tracer> make_embree_tracer(const Scene& scene);
 /// them, or on the first of several in scene order.
 std::unique_ptr<Tracer> make_double_tracer(const Scene& scene);
 
-/// A ray that meets a mirror after this many reflections is lost. In a box without opposite mirrors no ray is reflected
-/// more than three times.
-inline constexpr int most_reflections = 64;
-
-/// Reflects rays that meet the front of a mirror; `tracer` finds what they meet. Only final hits are reported, none of
-/// them on a mirror. @pre a tracer of the same scene
-std::unique_ptr<Tracer> make_mirror_tracer(const Scene& scene, std::unique_ptr<Tracer> tracer);
+/// Whether single precision may fail to resolve what rays meet in a scene, so that they have to be traced in double
+/// precision: where a face is narrower (its area by the diagonal of its box) than 2^-9 of the scene's largest
+/// coordinate; where flat surfaces lie over each other within 2^-18 of it, at an angle below 2^-4; or where a curved
+/// surface and another come as near as 2^-7 to each other, nearly parallel there. Surfaces that merely share an edge or
+/// a rim at a wider angle do not count: rounding misjudges only a strip of 2^-24.
+/// @pre the scene is placed (core/geometry/placement.hpp)
+bool has_fine_detail(const Scene& scene);
 
 /// Width of the crack along each edge of a surface, as a share of the surface's extent.
 inline constexpr float crack_width = 1e-4f;
-
-/// Control: a tracer that is broken on purpose. Rays are traced as by `make_tracer`, but those that end within
-/// `crack_width` of an edge of the surface they hit slip through and are lost, as with meshes that are not watertight
-/// or hits that are tested with an epsilon. In a closed cube about one ray in 2000 is lost.
-std::unique_ptr<Tracer> make_leaky_tracer(const Scene& scene);
-
-/// `Tracer::shoot` in terms of `trace`, for tracers that trace rays one by one.
-/// @param scene  that the tracer was made for
-void shoot_by_tracing(const Tracer& tracer, const Scene& scene, std::uint32_t source, Grid grid, std::uint32_t patch,
-                      const PointBlock& block, std::span<std::uint64_t> hits);
 
 enum class TracerChoice {
     automatic,
     box,
     embree,
-    leaky,  ///< a control
+    /// Control: a tracer that is broken on purpose. Rays are traced as with `automatic`, but those that end within
+    /// `crack_width` of an edge of the surface they hit slip through and are lost, as with meshes that are not
+    /// watertight or hits that are tested with an epsilon. In a closed cube about one ray in 2000 is lost.
+    leaky,
 };
 
 /// The box tracer where it applies, unless told otherwise.
 /// @throws UserError where the box tracer is asked for in a scene that is not an empty box
 std::unique_ptr<Tracer> make_tracer(const Scene& given, TracerChoice choice);
+
+/// The Embree that this process has loaded, e.g. "Embree 4.3.3".
+std::string tracer_version();
 
 }  // namespace ff

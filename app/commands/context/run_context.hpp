@@ -2,7 +2,7 @@
 
 #include "app/commands/context/program_context.hpp"
 
-#include "core/tracing/tracer_version.hpp"
+#include "core/tracing/tracer.hpp"
 
 namespace ff::app {
 

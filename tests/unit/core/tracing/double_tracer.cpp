@@ -2,7 +2,6 @@
 
 #include "core/geometry/box.hpp"
 #include "core/geometry/placement.hpp"
-#include "core/tracing/fine_detail.hpp"
 #include "core/tracing/tracer.hpp"
 #include "tests/support/round_scenes.hpp"
 #include "tests/unit/core/tracing/point_blocks.hpp"

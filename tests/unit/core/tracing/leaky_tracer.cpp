@@ -27,7 +27,7 @@ double exact_leak(const Scene& scene) {
 
 TEST(LeakyTracer, LosesRaysThatFallIntoCracks) {
     const Scene scene = built_in_scene("cube");
-    const auto tracer = make_leaky_tracer(scene);
+    const auto tracer = make_tracer(scene, TracerChoice::leaky);
     constexpr std::uint32_t blocks = 1000;
     FaceHits hits(7);
     for (std::uint32_t i = 0; i < blocks; ++i)
@@ -46,7 +46,7 @@ TEST(LeakyTracer, AgreesWithTheSoundTracerAwayFromEdges) {
     generate_rays(scene.surfaces[0], 0, undivided, 0, *test::random_block(1, block_capacity), rays);
     std::vector<Hit> leaky(rays.size());
     std::vector<Hit> sound(rays.size());
-    make_leaky_tracer(scene)->trace(rays, leaky);
+    make_tracer(scene, TracerChoice::leaky)->trace(rays, leaky);
     make_tracer(scene, TracerChoice::automatic)->trace(rays, sound);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         EXPECT_TRUE(leaky[i].surface == no_surface || leaky[i].surface == sound[i].surface);
