@@ -1,6 +1,6 @@
 #include "core/formulas/polygon_factor.hpp"
 
-#include "core/geometry/convex_polygon.hpp"
+#include "core/geometry/unit_circle.hpp"
 #include "core/support/contract.hpp"
 
 #include <algorithm>
@@ -10,12 +10,39 @@
 #define HWY_TARGET_INCLUDE "core/formulas/polygon_factor.cpp"
 #include <hwy/foreach_target.h>
 // foreach_target.h comes first
-#include "core/formulas/arc_angle-inl.h"
+#include "core/support/double_rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ff {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+
+// Products and sums are not fused: every CPU gives the same bits.
+
+/// atan(x) for |x| <= tan(pi/8).
+HWY_INLINE Doubles small_arc_tangent(Doubles x) {
+    const Doubles y = hn::Mul(x, x);
+    Doubles p = constant(arc_tangent_series[0]);
+    for (std::size_t k = 1; k < arc_tangent_series.size(); ++k)
+        p = hn::Add(hn::Mul(p, y), constant(arc_tangent_series[k]));
+    return hn::Add(x, hn::Mul(hn::Mul(x, y), p));
+}
+
+/// The angle, 0 to pi, with this sine and cosine up to a common factor. @pre sine >= 0
+HWY_INLINE Doubles angle_of(Doubles sine, Doubles cosine) {
+    constexpr double tan_pi_8 = std::numbers::sqrt2 - 1;
+    const auto zero = hn::Zero(DoubleTag());
+    const auto size = hn::Abs(cosine);
+    const auto low = hn::Min(sine, size);
+    const auto high = hn::Max(sine, size);
+    const auto middle = hn::Gt(low, hn::Mul(high, constant(tan_pi_8)));  // beyond pi/8, measure from pi/4
+    const auto numerator = hn::IfThenElse(middle, hn::Sub(low, high), low);
+    const auto denominator = hn::IfThenElse(middle, hn::Add(low, high), high);
+    const auto ratio = hn::IfThenElseZero(hn::Gt(high, zero), hn::Div(numerator, denominator));
+    auto angle = hn::Add(small_arc_tangent(ratio), hn::IfThenElseZero(middle, constant(std::numbers::pi / 4)));
+    angle = hn::IfThenElse(hn::Gt(sine, size), hn::Sub(constant(std::numbers::pi / 2), angle), angle);
+    return hn::IfThenElse(hn::Lt(cosine, zero), hn::Sub(constant(std::numbers::pi), angle), angle);
+}
 
 /// The contribution of the edge from `begin` to `end` at the points (x, y, 0), times 2 pi: the angle under which it is
 /// seen times the cosine of edge x begin to the normal.
@@ -55,6 +82,29 @@ double sum(const PlanePoints& points, const Polygon& polygon) {
     return columns.total() * (0.5 / std::numbers::pi);
 }
 
+HWY_INLINE Doubles dot(Doubles ax, Doubles ay, Doubles az, Doubles bx, Doubles by, Doubles bz) {
+    return hn::Add(hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by)), hn::Mul(az, bz));
+}
+
+void arc_terms(const Arcs& arcs, const Eigen::Vector3d& normal, double* terms) {
+    const DoubleTag d;
+    for (std::size_t at = 0; at < arcs.size; at += lanes) {
+        const auto ax = hn::Load(d, &arcs.ax[at]);
+        const auto ay = hn::Load(d, &arcs.ay[at]);
+        const auto az = hn::Load(d, &arcs.az[at]);
+        const auto bx = hn::Load(d, &arcs.bx[at]);
+        const auto by = hn::Load(d, &arcs.by[at]);
+        const auto bz = hn::Load(d, &arcs.bz[at]);
+        const auto nx = hn::Sub(hn::Mul(ay, bz), hn::Mul(az, by));
+        const auto ny = hn::Sub(hn::Mul(az, bx), hn::Mul(ax, bz));
+        const auto nz = hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
+        const auto sine = hn::Sqrt(dot(nx, ny, nz, nx, ny, nz));
+        const auto height = dot(nx, ny, nz, constant(normal.x()), constant(normal.y()), constant(normal.z()));
+        const auto tilt = hn::IfThenElseZero(hn::Gt(sine, hn::Zero(d)), hn::Div(height, sine));
+        hn::StoreU(hn::Mul(angle_of(sine, dot(ax, ay, az, bx, by, bz)), tilt), d, terms + at);
+    }
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace ff
 HWY_AFTER_NAMESPACE();
@@ -63,6 +113,7 @@ HWY_AFTER_NAMESPACE();
 namespace ff {
 
 HWY_EXPORT(sum);
+HWY_EXPORT(arc_terms);
 
 Polygon clip_at_horizon(const Polygon& polygon) {
     Polygon above = part_above(polygon, [](const Eigen::Vector3d& vertex) { return vertex.z(); });
@@ -78,6 +129,14 @@ double sum_polygon_factors(const PlanePoints& points, const Polygon& polygon) {
     FF_EXPECT(points.size % 8 == 0 && points.size <= block_capacity);
     FF_EXPECT(std::all_of(polygon.begin(), polygon.end(), [](const auto& vertex) { return vertex.z() >= 0; }));
     return HWY_DYNAMIC_DISPATCH(sum)(points, polygon);
+}
+
+void find_arc_terms(Arcs& arcs, const Eigen::Vector3d& normal, std::span<double> terms) {
+    FF_EXPECT(terms.size() >= Arcs::capacity);
+    const std::size_t size = arcs.size;
+    while (arcs.size % 8 != 0) arcs.add(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
+    HWY_DYNAMIC_DISPATCH(arc_terms)(arcs, normal, terms.data());
+    arcs.size = size;
 }
 
 }  // namespace ff

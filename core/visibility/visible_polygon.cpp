@@ -1,6 +1,6 @@
 #include "core/visibility/visible_polygon.hpp"
 
-#include "core/formulas/arc_terms.hpp"
+#include "core/formulas/polygon_factor.hpp"
 #include "core/geometry/convex_polygon.hpp"
 #include "core/support/contract.hpp"
 

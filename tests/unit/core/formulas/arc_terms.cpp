@@ -1,4 +1,4 @@
-#include "core/formulas/arc_terms.hpp"
+#include "core/formulas/polygon_factor.hpp"
 
 #include <gtest/gtest.h>
 
