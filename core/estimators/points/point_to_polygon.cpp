@@ -1,13 +1,17 @@
 #include "core/estimators/points/point_to_polygon.hpp"
 
-#include "core/estimators/points/source_points.hpp"
 #include "core/formulas/polygon_factor.hpp"
 #include "core/geometry/convex_polygon.hpp"
+#include "core/geometry/surface_map.hpp"
+#include "core/support/contract.hpp"
 #include "core/visibility/facing.hpp"
+#include "core/visibility/mirrors.hpp"
+#include "core/visibility/occlusion.hpp"
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <span>
@@ -103,6 +107,94 @@ std::string PointToPolygon::refusal(const EstimatorOptions& /*options*/, const S
 void PointToPolygon::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
     outcome.estimates = point_to_polygon(*scene_, task.subdivision, *task.points, task.samples, task.options.allocation,
                                          task.key, task.trial);
+}
+
+PointToVisiblePolygon::PointToVisiblePolygon(const Scene& scene, TracerChoice /*tracer*/)
+    : scene_(&scene), targets_(scene.surfaces.size()) {
+    for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
+        const Surface& source = scene.surfaces[s];
+        if (!is_of_face(source)) continue;
+        for (std::uint32_t t = 0; t < scene.surfaces.size(); ++t) {
+            const Surface& target = scene.surfaces[t];
+            if (!is_of_face(target) || !face_each_other(source, target)) continue;
+            std::vector<Blocker> blockers;
+            if (!scene.empty_box) {
+                for (const Surface* blocker : possible_blockers(scene, source, target)) blockers.emplace_back(blocker);
+            }
+            targets_[s].push_back({t, VisiblePolygon(target, blockers)});
+        }
+    }
+}
+
+std::string PointToVisiblePolygon::refusal(const EstimatorOptions& /*options*/, const Scene& scene) {
+    const bool polygons = std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
+                                      [](const Surface& surface) { return is_polygon(surface.shape); });
+    if (polygons) return {};
+    return fmt::format(
+        "{} cannot be used in scene '{}' (not all of its surfaces are parallelograms and triangles). Use estimator = "
+        "\"ray_shooting\" or \"area_kernel\".",
+        info.name, scene.name);
+}
+
+double PointToVisiblePolygon::nanoseconds(const EstimatorOptions& /*options*/, const Scene& scene) {
+    return 200.0 * static_cast<double>(scene.faces.size());
+}
+
+std::optional<Integrand> PointToVisiblePolygon::integrand(const EstimatorOptions& /*options*/, PairClass pair_class,
+                                                          Hiding hiding) {
+    const bool kinks = pair_class == PairClass::adjacent || hiding == Hiding::possible;
+    return kinks ? Integrand::rough : Integrand::smooth;
+}
+
+void PointToVisiblePolygon::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
+    std::vector<SurfaceMap> maps;
+    for (const Surface& surface : scene_->surfaces) maps.emplace_back(surface);
+    outcome.estimates = average_over_sources(
+        *scene_, task, info.dimension,
+        [&](const SourcePatch& patch, const WeightedBlock& block, std::span<double> sums) {
+            const auto columns = patch.grid.columns;
+            for (std::size_t i = 0; i < block.size; ++i) {
+                const auto column = patch.index % columns;
+                const auto row = patch.index / columns;
+                const SurfacePoint place = maps[patch.surface].at((column + block.coordinate[0][i]) / columns,
+                                                                  (row + block.coordinate[1][i]) / patch.grid.rows);
+                for (const Target& target : targets_[patch.surface]) {
+                    const double factor = target.polygon.from(place.position, place.normal).visible;
+                    sums[target.surface] += block.weight[i] * std::max(0.0, factor);
+                }
+            }
+        });
+}
+
+Eigen::MatrixXd average_over_sources(const Scene& scene, const EstimatorTask& task, std::size_t dimension,
+                                     const SourceSum& sum) {
+    FF_EXPECT(task.options.allocation == Allocation::patch || task.points->equal_weights());
+    const auto faces = static_cast<Eigen::Index>(scene.faces.size());
+    const PatchSequences sequences(scene, task.subdivision, task.options.allocation, task.samples);
+    const auto block = std::make_unique_for_overwrite<WeightedBlock>();
+    block->dimension = dimension;
+
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(faces, faces);
+    std::vector<double> sums(scene.surfaces.size());
+    for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
+        const Surface& source = scene.surfaces[s];
+        if (!is_of_face(source)) continue;
+        std::fill(sums.begin(), sums.end(), 0.0);
+        const Grid grid = task.subdivision.of(source);
+        for (std::uint32_t p = 0; p < grid.parts(); ++p) {
+            const auto [of_stream, first] = sequences.of(s, p);
+            const Stream stream{.key = task.key, .trial = task.trial, .source = of_stream};
+            for_each_block(*task.points, stream, first, task.samples, *block, [&](PointIndex) {
+                sum({s, grid, p}, *block, sums);
+            });
+        }
+        // The weights of a sequence add up to 1, whether it serves a patch or several.
+        const double share = area(source.shape) / face_area(scene, source.face) / sequences.count(s);
+        for (std::size_t t = 0; t < sums.size(); ++t) {
+            if (is_of_face(scene.surfaces[t])) result(source.face, scene.surfaces[t].face) += share * sums[t];
+        }
+    }
+    return result;
 }
 
 }  // namespace ff

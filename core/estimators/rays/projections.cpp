@@ -1,9 +1,91 @@
 #include "core/estimators/rays/projections.hpp"
 
+#include "core/geometry/placement.hpp"
+#include "core/visibility/mirrors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace ff {
+namespace {
+
+/// [0, 1) in fixed point.
+std::uint32_t fixed_point(double value) {
+    constexpr double largest = 4294967295.0;
+    return static_cast<std::uint32_t>(std::clamp(value * 0x1p32, 0.0, largest));
+}
+
+}  // namespace
+
+PixelDirections::PixelDirections(std::uint64_t expected) {
+    squared_sine_.reserve(expected);
+    azimuth_.reserve(expected);
+    factor_.reserve(expected);
+}
+
+void PixelDirections::add(const Eigen::Vector3d& direction, double factor) {
+    const double turns = std::atan2(direction.y(), direction.x()) / (2 * std::numbers::pi);
+    squared_sine_.push_back(fixed_point(direction.head<2>().squaredNorm() / direction.squaredNorm()));
+    azimuth_.push_back(fixed_point(turns < 0 ? turns + 1 : turns));
+    factor_.push_back(factor);
+}
+
+void PixelDirections::fill(std::size_t first, PointBlock& block) const {
+    constexpr std::uint32_t middle = 1u << 31;
+    std::fill_n(block.coordinate[0].begin(), block.size, middle);
+    std::fill_n(block.coordinate[1].begin(), block.size, middle);
+    std::copy_n(squared_sine_.begin() + static_cast<std::ptrdiff_t>(first), block.size, block.coordinate[2].begin());
+    std::copy_n(azimuth_.begin() + static_cast<std::ptrdiff_t>(first), block.size, block.coordinate[3].begin());
+}
+
+PixelProjection::PixelProjection(const Scene& scene, TracerChoice tracer)
+    : scene_(&scene), placed_(placed(scene)), tracer_(make_tracer(scene, tracer)) {}
+
+Eigen::MatrixXd PixelProjection::factors(Subdivision subdivision, const PixelDirections& pixels) const {
+    const auto faces = static_cast<Eigen::Index>(scene_->faces.size());
+    Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(faces, faces);
+    const auto block = std::make_unique<PointBlock>();
+    std::vector<Hit> hits;
+    for (std::uint32_t s = 0; s < scene_->surfaces.size(); ++s) {
+        const Surface& surface = scene_->surfaces[s];
+        if (!is_of_face(surface)) continue;
+        const Grid grid = subdivision.of(surface);
+        const double share = area(surface.shape) / face_area(*scene_, surface.face) / grid.parts();
+        for (std::uint32_t patch = 0; patch < grid.parts(); ++patch) {
+            for (std::size_t done = 0; done < pixels.size(); done += block->size) {
+                block->size = std::min(block_capacity, pixels.size() - done);
+                pixels.fill(done, *block);
+                hits.resize(block->size);
+                tracer_->find_ends(placed_.surfaces[s], s, grid, patch, *block, hits);
+                for (std::size_t i = 0; i < hits.size(); ++i) {
+                    if (hits[i].surface == no_surface || !hits[i].received) continue;
+                    factors(surface.face, scene_->surfaces[hits[i].surface].face) += share * pixels.factor(done + i);
+                }
+            }
+        }
+    }
+    return factors;
+}
+
+double PixelProjection::nanoseconds(const EstimatorOptions& options, const Scene& scene) {
+    return 10.0 + RayShooting::nanoseconds(options, scene);
+}
+
+std::string PixelProjection::no_such_size(std::string_view rule, std::uint64_t below, std::uint64_t above) {
+    if (below == 0) return fmt::format("({}). Try {}.", rule, above);
+    return fmt::format("({}). Try {} or {}.", rule, below, above);
+}
+
+std::uint64_t finest_resolution(std::uint64_t (*count)(std::uint64_t), std::uint64_t samples) {
+    std::uint64_t finest = 0;
+    for (std::uint64_t step = 1u << 29; step > 0; step /= 2) {
+        if (count(finest + step) <= samples) finest += step;
+    }
+    return finest;
+}
 
 PixelDirections Hemicube::lay(std::uint64_t half_r) {
     const std::uint64_t r = 2 * half_r;

@@ -1,4 +1,4 @@
-#include "core/estimators/pairs/adaptive_contour.hpp"
+#include "core/estimators/pairs/contour.hpp"
 
 #include "core/configurations/catalogue.hpp"
 #include "core/exact/exact.hpp"

@@ -1,6 +1,5 @@
-#include "core/estimators/rays/pixel_directions.hpp"
-
 #include "core/estimators/rays/projections.hpp"
+
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"
 #include "tests/support/estimator_trials.hpp"

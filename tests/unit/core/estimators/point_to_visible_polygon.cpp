@@ -1,8 +1,7 @@
-#include "core/estimators/points/point_to_visible_polygon.hpp"
+#include "core/estimators/points/point_to_polygon.hpp"
 
 #include "core/configurations/catalogue.hpp"
 #include "core/estimators/pairs/area_kernel.hpp"
-#include "core/estimators/points/point_to_polygon.hpp"
 #include "core/geometry/box.hpp"
 #include "tests/support/philox_points.hpp"
 

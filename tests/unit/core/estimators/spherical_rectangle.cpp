@@ -1,4 +1,4 @@
-#include "core/estimators/pairs/spherical_rectangle.hpp"
+#include "core/estimators/pairs/solid_angle.hpp"
 
 #include <gtest/gtest.h>
 
