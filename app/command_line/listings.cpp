@@ -3,7 +3,7 @@
 #include "app/folders/result_files.hpp"
 #include "app/folders/shipped_files.hpp"
 
-#include "core/configurations/families.hpp"
+#include "core/configurations/built_in_scene.hpp"
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
 #include "core/support/words.hpp"

@@ -49,9 +49,9 @@ int other_faces(const Scene& scene, const Configuration& configuration);
 /// Names of all scenes of the catalogue, in its order.
 std::vector<std::string_view> configuration_scene_names();
 
-/// The form factor between two faces of a scene of the catalogue or of its families (core/configurations/families.hpp),
-/// where an exact value is known or follows by reciprocity, or by closure where the light that a face does not send to
-/// itself is shared equally by other faces.
+/// The form factor between two faces of a scene of the catalogue or of its families (SceneFamily), where an exact value
+/// is known or follows by reciprocity, or by closure where the light that a face does not send to itself is shared
+/// equally by other faces.
 /// @pre both are indices into scene.faces
 std::optional<double> known_form_factor(const Scene& scene, int from_face, int to_face);
 

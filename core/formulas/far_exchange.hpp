@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/formulas/edge_integral.hpp"
+#include "core/formulas/polygon_exchange.hpp"
 #include "core/geometry/scene.hpp"
 
 #include <optional>

@@ -1,16 +1,148 @@
 #include "core/formulas/polygon_exchange.hpp"
 
+#include "core/formulas/limits.hpp"
 #include "core/geometry/convex_polygon.hpp"
 #include "core/support/contract.hpp"
 
+#include <Eigen/Geometry>
+#include <boost/math/quadrature/gauss.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <limits>
 #include <numbers>
 
 namespace ff {
 namespace {
+
+template <class Real>
+constexpr Real epsilon = std::numeric_limits<Real>::epsilon();
+
+/// An edge by arc length: begin + s * direction, 0 <= s <= length.
+template <class Real>
+struct EdgeLine {
+    Vector3<Real> begin;
+    Vector3<Real> direction;
+    Real length = 0;
+
+    explicit EdgeLine(const DirectedEdge<Real>& edge)
+        : begin(edge.begin), direction(edge.end - edge.begin), length(direction.norm()) {
+        if (length > 0) direction /= length;
+    }
+};
+
+/// The integral of ln r + 1 over the points of a line, from a place.
+template <class Real>
+Real integral_from(const Vector3<Real>& place, const EdgeLine<Real>& line) {
+    const Vector3<Real> from_begin = place - line.begin;
+    const Real foot = from_begin.dot(line.direction);
+    const Vector3<Real> height = from_begin - foot * line.direction;
+    const Real hh = height.squaredNorm();
+    const Real h = std::sqrt(hh);
+    const auto antiderivative = [&](Real x) { return x / 2 * limited_log(x * x + hh) + x_atan(h, x); };
+    return antiderivative(line.length - foot) + antiderivative(foot);
+}
+
+/// The closed form for parallel lines; `s` and `t` are the ends along the common direction, `apart` the lines'
+/// distance.
+template <class Real>
+BoundedValue<Real> parallel_integral(std::array<Real, 2> s, std::array<Real, 2> t, Real apart) {
+    const Real pp = apart * apart;
+    BoundedValue<Real> sum;
+    for (std::size_t i = 0; i < 2; ++i) {
+        for (std::size_t j = 0; j < 2; ++j) {
+            const Real u = s[i] - t[j];
+            const Real term = (u * u - pp) / 4 * limited_log(u * u + pp) + u * x_atan(apart, u) - u * u / 4;
+            sum.value += i == j ? -term : term;
+            sum.error += 8 * epsilon<Real> * std::abs(term);
+        }
+    }
+    return sum;
+}
+
+/// Gauss's rule for one panel, and the ellipse of analyticity (half the sum of its axes, for a panel from -1 to 1) that
+/// makes its error a few units of rounding.
+template <class Real>
+struct Panel;
+template <>
+struct Panel<double> {
+    using Rule = boost::math::quadrature::gauss<double, 20>;
+    static constexpr int nodes = 20;
+    static constexpr double ellipse = 2.8;
+};
+template <>
+struct Panel<long double> {
+    using Rule = boost::math::quadrature::gauss<long double, 30>;
+    static constexpr int nodes = 30;
+    static constexpr long double ellipse = 2.3L;
+};
+
+/// Lines that are not parallel: quadrature over the first, closed form over the second.
+template <class Real>
+class SkewIntegral {
+  public:
+    SkewIntegral(const EdgeLine<Real>& outer, const EdgeLine<Real>& inner) : outer_(outer), inner_(inner) {
+        const Vector3<Real> between = inner.begin - outer.begin;
+        const Vector3<Real> across = outer.direction.cross(inner.direction);
+        const Real squared_sine = across.squaredNorm();
+        singularities_[0] = {between.cross(inner.direction).dot(across) / squared_sine,
+                             between.dot(across) / squared_sine};
+        for (const Real end : {Real{0}, inner.length}) {
+            const Vector3<Real> from_begin = between + end * inner.direction;
+            singularities_[end > 0 ? 2 : 1] = {from_begin.dot(outer.direction),
+                                               from_begin.cross(outer.direction).norm()};
+        }
+        add_panels(0, outer.length);
+    }
+
+    [[nodiscard]] BoundedValue<Real> integral() const { return integral_; }
+
+  private:
+    static constexpr Real ellipse = Panel<Real>::ellipse;
+
+    /// From a point of the outer line.
+    [[nodiscard]] Real inner_integral(Real s) const {
+        return integral_from<Real>(outer_.begin + s * outer_.direction, inner_);
+    }
+
+    /// Whether the integrand is analytic in the ellipse, a fourth wider, around a panel.
+    [[nodiscard]] bool is_analytic(Real middle, Real half) const {
+        return std::all_of(singularities_.begin(), singularities_.end(), [&](const std::complex<Real>& place) {
+            const std::complex<Real> z = (place - middle) / half;
+            return std::abs(z + std::sqrt(z - Real{1}) * std::sqrt(z + Real{1})) >= ellipse * Real{1.25};
+        });
+    }
+
+    void add_panels(Real low, Real high) {
+        const Real middle = (low + high) / 2;
+        const Real half = (high - low) / 2;
+        // Coordinates are at most 2, so that in an ellipse |x| and |h| stay below 16, and it keeps 0.2 of the panel's
+        // half length away from singularities: logarithms are no larger than this.
+        const Real log_bound = std::log(Real{16} / (Real{0.2} * half));
+        const bool is_negligible = half * half * log_bound < epsilon<Real> * outer_.length;
+        if (!is_negligible && !is_analytic(middle, half)) {
+            add_panels(low, middle);
+            add_panels(middle, high);
+            return;
+        }
+        const Real value = Panel<Real>::Rule::integrate([&](Real s) { return inner_integral(s); }, low, high);
+        const Real bound = 2 * 16 * (log_bound + 2 * std::numbers::pi_v<Real>);
+        const Real truncation = is_negligible
+                                    ? 2 * half * log_bound
+                                    : Real{64} / 15 * bound * std::pow(ellipse, Real{-2} * Panel<Real>::nodes) /
+                                          (1 - 1 / (ellipse * ellipse));
+        integral_.value += value;
+        integral_.error += half * (truncation + 16 * epsilon<Real>)+4 * epsilon<Real> * std::abs(value);
+    }
+
+    EdgeLine<Real> outer_;
+    EdgeLine<Real> inner_;
+    std::array<std::complex<Real>, 3> singularities_;  ///< over s, and their conjugates
+    BoundedValue<Real> integral_;
+};
 
 /// A plane through a point; normal of unit length.
 template <class Real>
@@ -47,6 +179,39 @@ void shrink(Corners<Real>& polygon, const Vector3<Real>& origin, Real unit) {
 }
 
 }  // namespace
+
+template <class Real>
+BoundedValue<Real> log_distance_integral(const DirectedEdge<Real>& a, const DirectedEdge<Real>& b) {
+    EdgeLine<Real> outer(a);
+    EdgeLine<Real> inner(b);
+    if (outer.length == 0 || inner.length == 0) return {};
+    const Real cosine = outer.direction.dot(inner.direction);
+    const Real product = outer.length * inner.length;
+    constexpr Real rounding = 4 * epsilon<Real>;
+    if (std::abs(cosine) <= rounding) return {0, rounding * product};
+
+    BoundedValue<Real> integral;
+    if (outer.direction.cross(inner.direction).norm() <= rounding) {
+        const Vector3<Real> between = inner.begin - outer.begin;
+        const Real start = between.dot(outer.direction);
+        const Real end = start + std::copysign(inner.length, cosine);
+        integral = parallel_integral<Real>({0, outer.length}, {std::min(start, end), std::max(start, end)},
+                                           (between - start * outer.direction).norm());
+    } else {
+        if (outer.length > inner.length) std::swap(outer, inner);  // fewer panels
+        integral = SkewIntegral<Real>(outer, inner).integral();
+    }
+    return {cosine * integral.value, std::abs(cosine) * integral.error + rounding * product};
+}
+
+double log_distance_integral(const Vector3<double>& place, const DirectedEdge<double>& edge) {
+    const EdgeLine<double> line(edge);
+    return line.length == 0 ? 0 : integral_from(place, line);
+}
+
+template BoundedValue<double> log_distance_integral(const DirectedEdge<double>&, const DirectedEdge<double>&);
+template BoundedValue<long double> log_distance_integral(const DirectedEdge<long double>&,
+                                                         const DirectedEdge<long double>&);
 
 template <class Real>
 Corners<Real> corners_of(const Surface& surface) {

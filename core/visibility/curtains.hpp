@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/shaft.hpp"
-#include "core/visibility/shared_edges.hpp"
+#include "core/visibility/bodies.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 #include "reports/files/matrix_files.hpp"
 
-#include "core/exact/exact_rooms.hpp"
+#include "core/exact/known_factors.hpp"
 #include "core/radiosity/patch_factors.hpp"
 #include "core/radiosity/system.hpp"
 #include "core/support/error.hpp"

@@ -1,7 +1,7 @@
 #include "studies/comparison/occlusion_series.hpp"
 
+#include "core/configurations/built_in_scene.hpp"
 #include "core/configurations/catalogue.hpp"
-#include "core/configurations/families.hpp"
 #include "core/exact/known_factors.hpp"
 #include "studies/comparison/rivals.hpp"
 #include "studies/theory/known_variance.hpp"

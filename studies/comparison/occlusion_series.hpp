@@ -42,7 +42,7 @@ struct OcclusionSeries {
     std::vector<HiddenPair> scenes;
 };
 
-/// The effect of occlusion on the methods of a study, for each family (core/configurations/families.hpp) of which it
+/// The effect of occlusion on the methods of a study, for each family (SceneFamily) of which it
 /// has at least three scenes. The common number of evaluations is the largest that all methods reach or come close to.
 /// @param slopes  of all ladders; may be empty
 std::vector<OcclusionSeries> occlusion_series(const CellReader& cells, const Analysis& findings,

@@ -1,6 +1,6 @@
 #include "studies/spec/request.hpp"
 
-#include "core/exact/exact_rooms.hpp"
+#include "core/exact/known_factors.hpp"
 #include "core/support/error.hpp"
 #include "core/support/words.hpp"
 #include "studies/readers/toml_reader.hpp"

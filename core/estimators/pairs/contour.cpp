@@ -1,7 +1,7 @@
 #include "core/estimators/pairs/contour.hpp"
 
 #include "core/estimators/pairs/patch_pairs.hpp"
-#include "core/formulas/edge_integral.hpp"
+#include "core/formulas/polygon_exchange.hpp"
 #include "core/support/logarithm.hpp"
 #include "core/visibility/facing.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/estimators/estimator.hpp"
-#include "core/formulas/edge_integral.hpp"
+#include "core/formulas/polygon_exchange.hpp"
 #include "core/geometry/surface_map.hpp"
 
 #include <Eigen/Core>

@@ -2,9 +2,8 @@
 // aperture is a rectangle, whose factor is a sum of arc tangents; Gauss's rule integrates it over the pieces between
 // which its edges change.
 
-#include "core/configurations/families.hpp"
-
 #include "core/configurations/built_in_scene.hpp"
+
 #include "core/configurations/catalogue.hpp"
 #include "core/configurations/closed_forms.hpp"
 #include "core/exact/known_factors.hpp"

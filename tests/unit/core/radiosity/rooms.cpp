@@ -4,7 +4,7 @@
 #include "core/configurations/built_in_scene.hpp"
 #include "core/estimators/rays/ray_shooting.hpp"
 #include "core/exact/exact.hpp"
-#include "core/exact/exact_rooms.hpp"
+#include "core/exact/known_factors.hpp"
 #include "core/radiosity/enclosures.hpp"
 #include "core/radiosity/patch_factors.hpp"
 #include "core/radiosity/system.hpp"
