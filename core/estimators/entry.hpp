@@ -4,7 +4,7 @@
 
 namespace ff {
 
-/// The one way to make an estimator: a class with
+/// The one way to make an estimator: a class that derives from this one, with
 ///
 ///     static constexpr EstimatorInfo info{...};
 ///     T(const Scene&, TracerChoice);                                  // refusal() has been asked
@@ -12,14 +12,30 @@ namespace ff {
 ///
 /// and optionally
 ///
-///     static std::string refusal(const EstimatorOptions&, const Scene&);   // beyond what follows from `info`
-///     static std::string size_problem(std::uint64_t samples); // required if own_points
 ///     static double nanoseconds(const EstimatorOptions&, const Scene&);    // in place of what `info` says
 ///     static std::optional<Integrand> integrand(const EstimatorOptions&, PairClass, Hiding);    // likewise
-///     static bool finite_variance(const EstimatorOptions&, const Scene&, int from, int to);
-///     static double largest_unmet(const Scene&, int from, int to, double evaluations);
 ///
-/// `estimator_entry<T>()` turns it into a line of the catalogue.
+/// and what it says otherwise than the functions below. `estimator_entry<T>()` turns it into a line of the catalogue.
+class SceneEstimator {
+  public:
+    SceneEstimator(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
+
+    /// Beyond what follows from `info`.
+    static std::string refusal(const EstimatorOptions& /*options*/, const Scene& /*scene*/) { return {}; }
+    /// To be said by estimators with points of their own.
+    static std::string size_problem(std::uint64_t /*samples*/) { return {}; }
+    static bool finite_variance(const EstimatorOptions& /*options*/, const Scene& /*scene*/, int /*from*/, int /*to*/) {
+        return true;
+    }
+    static double largest_unmet(const Scene& /*scene*/, int /*from*/, int /*to*/, double /*evaluations*/) { return 0; }
+
+  protected:
+    [[nodiscard]] const Scene& scene() const { return *scene_; }
+
+  private:
+    const Scene* scene_;
+};
+
 template <class T>
 class ErasedEstimator final : public Estimator {
   public:
@@ -39,22 +55,14 @@ std::string refusal_of(const EstimatorInfo& info, const Scene& scene);
 /// The catalogue's line for estimator T.
 template <class T>
 EstimatorEntry estimator_entry() {
+    static_assert(!T::info.own_points || T::size_problem != SceneEstimator::size_problem);
     return {.info = T::info,
-            .refusal = [](const EstimatorOptions& options, const Scene& scene) -> std::string {
-                std::string general = refusal_of(T::info, scene);
-                if constexpr (requires { T::refusal(options, scene); }) {
+            .refusal =
+                [](const EstimatorOptions& options, const Scene& scene) {
+                    std::string general = refusal_of(T::info, scene);
                     return general.empty() ? T::refusal(options, scene) : general;
-                } else {
-                    return general;
-                }
-            },
-            .size_problem = [](std::uint64_t samples) -> std::string {
-                if constexpr (T::info.own_points) {
-                    return T::size_problem(samples);
-                } else {
-                    return {};
-                }
-            },
+                },
+            .size_problem = T::size_problem,
             .nanoseconds =
                 [](const EstimatorOptions& options, const Scene& scene) {
                     if constexpr (requires { T::nanoseconds(options, scene); }) {
@@ -72,22 +80,8 @@ EstimatorEntry estimator_entry() {
                     return pair_class == PairClass::adjacent ? T::info.integrands.adjacent : T::info.integrands.apart;
                 }
             },
-            .finite_variance =
-                [](const EstimatorOptions& options, const Scene& scene, int from, int to) {
-                    if constexpr (requires { T::finite_variance(options, scene, from, to); }) {
-                        return T::finite_variance(options, scene, from, to);
-                    } else {
-                        return true;
-                    }
-                },
-            .largest_unmet =
-                [](const Scene& scene, int from, int to, double evaluations) {
-                    if constexpr (requires { T::largest_unmet(scene, from, to, evaluations); }) {
-                        return T::largest_unmet(scene, from, to, evaluations);
-                    } else {
-                        return 0.0;
-                    }
-                },
+            .finite_variance = T::finite_variance,
+            .largest_unmet = T::largest_unmet,
             .make = [](const Scene& scene, TracerChoice tracer) -> std::unique_ptr<Estimator> {
                 return std::make_unique<ErasedEstimator<T>>(scene, tracer);
             }};

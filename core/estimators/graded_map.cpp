@@ -12,14 +12,10 @@ namespace {
 constexpr std::uint32_t edge_power = 3;
 constexpr std::uint32_t vertex_power = 2;
 
-/// The same patch with coordinate u (v) running the other way.
-void turn_u(Parallelogram& patch) {
-    patch.corner += patch.edge_u;
-    patch.edge_u = -patch.edge_u;
-}
-void turn_v(Parallelogram& patch) {
-    patch.corner += patch.edge_v;
-    patch.edge_v = -patch.edge_v;
+/// The same patch with the coordinate along one of its edges running the other way.
+void turn(Parallelogram& patch, Eigen::Vector3d& edge) {
+    patch.corner += edge;
+    edge = -edge;
 }
 
 bool is_of_parallelograms(const Scene& scene, int face) {
@@ -60,13 +56,11 @@ std::optional<GradedPair> grade_pair(const Parallelogram& from, const Parallelog
     const Touch touch = find_touch(from, to);
     if (touch.contact != Contact::edge && touch.contact != Contact::vertex) return std::nullopt;
     GradedPair pair{from, to};
+    const std::array edges{&pair.from.edge_u, &pair.from.edge_v, &pair.to.edge_u, &pair.to.edge_v};
     for (std::size_t d = 0; d < 4; ++d) {
         if (touch.sides[d] != Side::neither) pair.power[d] = touch.contact == Contact::edge ? edge_power : vertex_power;
+        if (touch.sides[d] == Side::high) turn(d < 2 ? pair.from : pair.to, *edges[d]);
     }
-    if (touch.sides[0] == Side::high) turn_u(pair.from);
-    if (touch.sides[1] == Side::high) turn_v(pair.from);
-    if (touch.sides[2] == Side::high) turn_u(pair.to);
-    if (touch.sides[3] == Side::high) turn_v(pair.to);
     return pair;
 }
 

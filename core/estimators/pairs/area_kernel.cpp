@@ -307,13 +307,9 @@ std::optional<Integrand> AreaKernel::integrand(const EstimatorOptions& options, 
     return hiding == Hiding::possible ? Integrand::jumping : Integrand::smooth;
 }
 
-bool AreaKernel::finite_variance(const EstimatorOptions& options, const Scene& scene, int from, int to) {
-    return kernel_has_variance(scene, from, to, options.map);
-}
-
 void AreaKernel::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const {
     outcome.estimates =
-        area_kernel(*scene_, task.subdivision, *task.points, task.options.map, task.key, task.trial, &totals.factors);
+        area_kernel(scene(), task.subdivision, *task.points, task.options.map, task.key, task.trial, &totals.factors);
 }
 
 }  // namespace ff

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/estimators/estimator.hpp"
+#include "core/estimators/entry.hpp"
 #include "core/estimators/unmet.hpp"
 
 #include <Eigen/Core>
@@ -29,7 +29,7 @@ Eigen::MatrixXd area_kernel(const Scene& scene, Subdivision subdivision, const P
                             StreamKey key, std::uint32_t trial, PatchFactorSums* sums = nullptr);
 
 /// The paper's PDM and its Monte Carlo variants, as an estimator.
-class AreaKernel {
+class AreaKernel : public SceneEstimator {
   public:
     static constexpr EstimatorInfo info{
         .name = "area_kernel",
@@ -52,14 +52,13 @@ class AreaKernel {
     };
 
     static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
-    static bool finite_variance(const EstimatorOptions& options, const Scene& scene, int from, int to);
+    static bool finite_variance(const EstimatorOptions& options, const Scene& scene, int from, int to) {
+        return kernel_has_variance(scene, from, to, options.map);
+    }
     static constexpr auto largest_unmet = &largest_unmet_kernel;
 
-    AreaKernel(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
+    using SceneEstimator::SceneEstimator;
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;
-
-  private:
-    const Scene* scene_;
 };
 
 }  // namespace ff

@@ -180,7 +180,7 @@ std::string Contour::refusal(const EstimatorOptions& /*options*/, const Scene& s
 
 void Contour::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
     outcome.estimates =
-        average_over_pairs(*scene_, task, info.dimension, [](const PatchPair& pair, const WeightedBlock& block) {
+        average_over_pairs(scene(), task, info.dimension, [](const PatchPair& pair, const WeightedBlock& block) {
             const RimPair rims = pair_up(pair);
             double sum = 0;
             for (std::size_t i = 0; i < block.size; ++i)
@@ -206,7 +206,7 @@ std::string AdaptiveContour::size_problem(std::uint64_t samples) {
 void AdaptiveContour::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
     const std::uint64_t halvings = (task.samples - edges_of_rim * nodes) / (2 * nodes);
     const auto averages = average_pair_values(
-        *scene_, task, [&](const PatchPair& pair, const Stream& /*stream*/) -> BoundedValue<double> {
+        scene(), task, [&](const PatchPair& pair, const Stream& /*stream*/) -> BoundedValue<double> {
             ContourIntegral integral(pair);
             for (std::uint64_t i = 0; i < halvings; ++i) integral.halve();
             const auto [value, error] = integral.sum();

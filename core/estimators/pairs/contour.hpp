@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/estimators/estimator.hpp"
+#include "core/estimators/entry.hpp"
 
 #include <cstdint>
 #include <string>
@@ -8,7 +8,7 @@
 namespace ff {
 
 /// The double contour integral over the rims of two patches, by any point set.
-class Contour {
+class Contour : public SceneEstimator {
   public:
     static constexpr EstimatorInfo info{
         .name = "contour",
@@ -30,15 +30,12 @@ class Contour {
 
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);
 
-    Contour(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
+    using SceneEstimator::SceneEstimator;
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;
-
-  private:
-    const Scene* scene_;
 };
 
 /// Gauss-Kronrod rules along the rim of the source, bisected where the two rules differ most.
-class AdaptiveContour {
+class AdaptiveContour : public SceneEstimator {
   public:
     static constexpr EstimatorInfo info{
         .name = "adaptive_contour",
@@ -61,11 +58,8 @@ class AdaptiveContour {
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);
     static std::string size_problem(std::uint64_t samples);
 
-    AdaptiveContour(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
+    using SceneEstimator::SceneEstimator;
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;
-
-  private:
-    const Scene* scene_;
 };
 
 }  // namespace ff

@@ -44,8 +44,8 @@ double hidden(const PatchPair& pair, const SurfacePoint& from, const SurfacePoin
 
 }  // namespace
 
-ControlVariate::ControlVariate(const Scene& scene, TracerChoice /*tracer*/)
-    : scene_(&scene), unoccluded_(unoccluded_factors(scene)) {}
+ControlVariate::ControlVariate(const Scene& scene, TracerChoice tracer)
+    : SceneEstimator(scene, tracer), unoccluded_(unoccluded_factors(scene)) {}
 
 std::optional<Integrand> ControlVariate::integrand(const EstimatorOptions& /*options*/, PairClass pair_class,
                                                    Hiding hiding) {
@@ -65,7 +65,7 @@ void ControlVariate::observe(const EstimatorTask& task, Outcome& outcome, PatchT
     outcome.estimates =
         unoccluded_ -
         average_over_pairs(
-            *scene_, task, info.dimension,
+            scene(), task, info.dimension,
             [](const PatchPair& pair, const WeightedBlock& block) {
                 double sum = 0;
                 for (std::size_t i = 0; i < block.size; ++i) {

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "core/estimators/estimator.hpp"
+#include "core/estimators/entry.hpp"
 
 #include <string>
 
 namespace ff {
 
 /// Exact unoccluded factors, minus a sampled estimate of the occluded part.
-class ControlVariate {
+class ControlVariate : public SceneEstimator {
   public:
     static constexpr EstimatorInfo info{
         .name = "control_variate",
@@ -36,7 +36,6 @@ class ControlVariate {
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;
 
   private:
-    const Scene* scene_;
     Eigen::MatrixXd unoccluded_;  ///< between faces
 };
 

@@ -78,7 +78,7 @@ double TwoWays::largest_unmet(const Scene& scene, int from, int to, double evalu
 
 Eigen::MatrixXd TwoWays::estimate(const EstimatorTask& task, Heuristic heuristic) const {
     constexpr std::size_t dimension = RaysAndKernel::info.dimension;
-    return average_over_pairs(*scene_, task, dimension, [heuristic](const PatchPair& pair, const WeightedBlock& block) {
+    return average_over_pairs(scene(), task, dimension, [heuristic](const PatchPair& pair, const WeightedBlock& block) {
         double sum = 0;
         for (std::size_t i = 0; i < block.size; ++i) {
             const SurfacePoint from = pair.from.at(block.coordinate[0][i], block.coordinate[1][i]);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/estimators/estimator.hpp"
+#include "core/estimators/entry.hpp"
 
 namespace ff {
 
@@ -16,19 +16,16 @@ inline constexpr double nanoseconds_of_two_ways = 100;
 inline constexpr Integrands integrands_of_two_ways{.apart = Integrand::jumping, .adjacent = Integrand::rough};
 
 /// What the estimators of both heuristics have in common.
-class TwoWays {
+class TwoWays : public SceneEstimator {
   public:
     /// A ray counts almost 1 where it meets a target that is small from there.
     static double largest_unmet(const Scene& scene, int from, int to, double evaluations);
 
-    TwoWays(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
+    using SceneEstimator::SceneEstimator;
 
   protected:
     /// The same bits on every CPU, but for rays to round surfaces: there azimuths are rounded as the C library does it.
     [[nodiscard]] Eigen::MatrixXd estimate(const EstimatorTask& task, Heuristic heuristic) const;
-
-  private:
-    const Scene* scene_;
 };
 
 /// Rays and the area kernel in one, weighted by the balance heuristic.

@@ -212,7 +212,7 @@ Vector3d direction_in(const SphericalTriangle& triangle, double s, double t) {
 
 void SolidAngle::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
     outcome.estimates =
-        average_over_pairs(*scene_, task, info.dimension, [](const PatchPair& pair, const WeightedBlock& block) {
+        average_over_pairs(scene(), task, info.dimension, [](const PatchPair& pair, const WeightedBlock& block) {
             const TargetPatch target(pair.to);
             double sum = 0;
             for (std::size_t i = 0; i < block.size; ++i) {

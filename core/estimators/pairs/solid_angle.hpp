@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/estimators/estimator.hpp"
+#include "core/estimators/entry.hpp"
 #include "core/estimators/unmet.hpp"
 
 #include <Eigen/Core>
@@ -45,7 +45,7 @@ SphericalTriangle spherical_triangle(const Eigen::Vector3d& a, const Eigen::Vect
 Eigen::Vector3d direction_in(const SphericalTriangle& triangle, double s, double t);
 
 /// Directions drawn uniformly from the solid angle under which a point of the source sees the target.
-class SolidAngle {
+class SolidAngle : public SceneEstimator {
   public:
     static constexpr EstimatorInfo info{
         .name = "solid_angle",
@@ -70,11 +70,8 @@ class SolidAngle {
 
     static constexpr auto largest_unmet = &largest_unmet_factor;
 
-    SolidAngle(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
+    using SceneEstimator::SceneEstimator;
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;
-
-  private:
-    const Scene* scene_;
 };
 
 }  // namespace ff

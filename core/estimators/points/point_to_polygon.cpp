@@ -105,12 +105,12 @@ std::string PointToPolygon::refusal(const EstimatorOptions& /*options*/, const S
 }
 
 void PointToPolygon::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
-    outcome.estimates = point_to_polygon(*scene_, task.subdivision, *task.points, task.samples, task.options.allocation,
+    outcome.estimates = point_to_polygon(scene(), task.subdivision, *task.points, task.samples, task.options.allocation,
                                          task.key, task.trial);
 }
 
-PointToVisiblePolygon::PointToVisiblePolygon(const Scene& scene, TracerChoice /*tracer*/)
-    : scene_(&scene), targets_(scene.surfaces.size()) {
+PointToVisiblePolygon::PointToVisiblePolygon(const Scene& scene, TracerChoice tracer)
+    : SceneEstimator(scene, tracer), targets_(scene.surfaces.size()) {
     for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
         const Surface& source = scene.surfaces[s];
         if (!is_of_face(source)) continue;
@@ -136,21 +136,11 @@ std::string PointToVisiblePolygon::refusal(const EstimatorOptions& /*options*/, 
         info.name, scene.name);
 }
 
-double PointToVisiblePolygon::nanoseconds(const EstimatorOptions& /*options*/, const Scene& scene) {
-    return 200.0 * static_cast<double>(scene.faces.size());
-}
-
-std::optional<Integrand> PointToVisiblePolygon::integrand(const EstimatorOptions& /*options*/, PairClass pair_class,
-                                                          Hiding hiding) {
-    const bool kinks = pair_class == PairClass::adjacent || hiding == Hiding::possible;
-    return kinks ? Integrand::rough : Integrand::smooth;
-}
-
 void PointToVisiblePolygon::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
     std::vector<SurfaceMap> maps;
-    for (const Surface& surface : scene_->surfaces) maps.emplace_back(surface);
+    for (const Surface& surface : scene().surfaces) maps.emplace_back(surface);
     outcome.estimates = average_over_sources(
-        *scene_, task, info.dimension,
+        scene(), task, info.dimension,
         [&](const SourcePatch& patch, const WeightedBlock& block, std::span<double> sums) {
             const auto columns = patch.grid.columns;
             for (std::size_t i = 0; i < block.size; ++i) {

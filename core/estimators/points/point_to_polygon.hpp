@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/estimators/estimator.hpp"
+#include "core/estimators/entry.hpp"
 #include "core/estimators/unmet.hpp"
 #include "core/visibility/visible_polygon.hpp"
 
@@ -32,7 +32,7 @@ Eigen::MatrixXd point_to_polygon(const Scene& scene, Subdivision subdivision, co
                                  std::uint32_t trial);
 
 /// The same as an estimator.
-class PointToPolygon {
+class PointToPolygon : public SceneEstimator {
   public:
     static constexpr EstimatorInfo info{
         .name = "point_to_polygon",
@@ -56,15 +56,12 @@ class PointToPolygon {
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);
     static constexpr auto largest_unmet = &largest_unmet_factor;
 
-    PointToPolygon(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
+    using SceneEstimator::SceneEstimator;
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;
-
-  private:
-    const Scene* scene_;
 };
 
 /// `point_to_polygon` with shadows cut out: the method `points` of `ffstudy form-factors`.
-class PointToVisiblePolygon {
+class PointToVisiblePolygon : public SceneEstimator {
   public:
     static constexpr EstimatorInfo info{
         .name = "visible_polygon",
@@ -84,8 +81,14 @@ class PointToVisiblePolygon {
     };
 
     static std::string refusal(const EstimatorOptions& options, const Scene& scene);
-    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
-    static std::optional<Integrand> integrand(const EstimatorOptions& options, PairClass pair_class, Hiding hiding);
+    static double nanoseconds(const EstimatorOptions& /*options*/, const Scene& scene) {
+        return 200.0 * static_cast<double>(scene.faces.size());
+    }
+    static std::optional<Integrand> integrand(const EstimatorOptions& /*options*/, PairClass pair_class,
+                                              Hiding hiding) {
+        const bool kinks = pair_class == PairClass::adjacent || hiding == Hiding::possible;
+        return kinks ? Integrand::rough : Integrand::smooth;
+    }
     static constexpr auto largest_unmet = &largest_unmet_factor;
 
     PointToVisiblePolygon(const Scene& scene, TracerChoice tracer);
@@ -96,7 +99,6 @@ class PointToVisiblePolygon {
         std::uint32_t surface = 0;
         VisiblePolygon polygon;
     };
-    const Scene* scene_;
     std::vector<std::vector<Target>> targets_;  ///< targets of each surface that sees some
 };
 

@@ -105,7 +105,7 @@ Line line_through(const Eigen::AlignedBox3d& box, const std::vector<BoxSide>& si
 
 }  // namespace
 
-GlobalLines::GlobalLines(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {
+GlobalLines::GlobalLines(const Scene& scene, TracerChoice tracer) : SceneEstimator(scene, tracer) {
     for (const Surface& surface : scene.surfaces) {
         if (is_of_face(surface)) box_.extend(box_around(surface));
         if (!is_polygon(surface.shape))
@@ -122,10 +122,6 @@ GlobalLines::GlobalLines(const Scene& scene, TracerChoice /*tracer*/) : scene_(&
     }
 }
 
-double GlobalLines::nanoseconds(const EstimatorOptions& /*options*/, const Scene& scene) {
-    return 60.0 + 8.0 * static_cast<double>(scene.surfaces.size());
-}
-
 double GlobalLines::largest_unmet(const Scene& scene, int from, int to, double evaluations) {
     double crossings = 0;  // of one line with the face, at most
     for (const Surface& surface : scene.surfaces) {
@@ -136,7 +132,7 @@ double GlobalLines::largest_unmet(const Scene& scene, int from, int to, double e
 }
 
 void GlobalLines::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
-    const auto faces = static_cast<Eigen::Index>(scene_->faces.size());
+    const auto faces = static_cast<Eigen::Index>(scene().faces.size());
     Eigen::MatrixXd exchanges = Eigen::MatrixXd::Zero(faces, faces);
     Eigen::VectorXd crossed = Eigen::VectorXd::Zero(faces);
     const auto block = std::make_unique_for_overwrite<WeightedBlock>();

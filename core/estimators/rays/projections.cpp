@@ -20,12 +20,6 @@ std::uint32_t fixed_point(double value) {
 
 }  // namespace
 
-PixelDirections::PixelDirections(std::uint64_t expected) {
-    squared_sine_.reserve(expected);
-    azimuth_.reserve(expected);
-    factor_.reserve(expected);
-}
-
 void PixelDirections::add(const Eigen::Vector3d& direction, double factor) {
     const double turns = std::atan2(direction.y(), direction.x()) / (2 * std::numbers::pi);
     squared_sine_.push_back(fixed_point(direction.head<2>().squaredNorm() / direction.squaredNorm()));
@@ -42,18 +36,18 @@ void PixelDirections::fill(std::size_t first, PointBlock& block) const {
 }
 
 PixelProjection::PixelProjection(const Scene& scene, TracerChoice tracer)
-    : scene_(&scene), placed_(placed(scene)), tracer_(make_tracer(scene, tracer)) {}
+    : SceneEstimator(scene, tracer), placed_(placed(scene)), tracer_(make_tracer(scene, tracer)) {}
 
 Eigen::MatrixXd PixelProjection::factors(Subdivision subdivision, const PixelDirections& pixels) const {
-    const auto faces = static_cast<Eigen::Index>(scene_->faces.size());
+    const auto faces = static_cast<Eigen::Index>(scene().faces.size());
     Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(faces, faces);
     const auto block = std::make_unique<PointBlock>();
     std::vector<Hit> hits;
-    for (std::uint32_t s = 0; s < scene_->surfaces.size(); ++s) {
-        const Surface& surface = scene_->surfaces[s];
+    for (std::uint32_t s = 0; s < scene().surfaces.size(); ++s) {
+        const Surface& surface = scene().surfaces[s];
         if (!is_of_face(surface)) continue;
         const Grid grid = subdivision.of(surface);
-        const double share = area(surface.shape) / face_area(*scene_, surface.face) / grid.parts();
+        const double share = area(surface.shape) / face_area(scene(), surface.face) / grid.parts();
         for (std::uint32_t patch = 0; patch < grid.parts(); ++patch) {
             for (std::size_t done = 0; done < pixels.size(); done += block->size) {
                 block->size = std::min(block_capacity, pixels.size() - done);
@@ -62,16 +56,12 @@ Eigen::MatrixXd PixelProjection::factors(Subdivision subdivision, const PixelDir
                 tracer_->find_ends(placed_.surfaces[s], s, grid, patch, *block, hits);
                 for (std::size_t i = 0; i < hits.size(); ++i) {
                     if (hits[i].surface == no_surface || !hits[i].received) continue;
-                    factors(surface.face, scene_->surfaces[hits[i].surface].face) += share * pixels.factor(done + i);
+                    factors(surface.face, scene().surfaces[hits[i].surface].face) += share * pixels.factor(done + i);
                 }
             }
         }
     }
     return factors;
-}
-
-double PixelProjection::nanoseconds(const EstimatorOptions& options, const Scene& scene) {
-    return 10.0 + RayShooting::nanoseconds(options, scene);
 }
 
 std::string PixelProjection::no_such_size(std::string_view rule, std::uint64_t below, std::uint64_t above) {

@@ -15,7 +15,10 @@ namespace ff {
 /// pixel stands for. Axes: x along the patch's first edge, z along its normal.
 class PixelDirections {
   public:
-    explicit PixelDirections(std::uint64_t expected);
+    explicit PixelDirections(std::uint64_t expected) {
+        for (auto* angles : {&squared_sine_, &azimuth_}) angles->reserve(expected);
+        factor_.reserve(expected);
+    }
 
     /// @param direction  of any length, z > 0
     void add(const Eigen::Vector3d& direction, double factor);
@@ -34,7 +37,7 @@ class PixelDirections {
 };
 
 /// The base of all projections: rays through the pixels from the middle of every patch.
-class PixelProjection {
+class PixelProjection : public SceneEstimator {
   public:
     PixelProjection(const Scene& scene, TracerChoice tracer);
 
@@ -42,14 +45,15 @@ class PixelProjection {
     [[nodiscard]] Eigen::MatrixXd factors(Subdivision subdivision, const PixelDirections& pixels) const;
 
     static constexpr auto refusal = &RayShooting::refusal;
-    static double nanoseconds(const EstimatorOptions& options, const Scene& scene);
+    static double nanoseconds(const EstimatorOptions& options, const Scene& scene) {
+        return 10.0 + RayShooting::nanoseconds(options, scene);
+    }
 
   protected:
     /// "(a hemicube has 3 r^2 pixels, r even). Try 768 or 1200."
     static std::string no_such_size(std::string_view rule, std::uint64_t below, std::uint64_t above);
 
   private:
-    const Scene* scene_;
     Scene placed_;
     std::unique_ptr<const Tracer> tracer_;
 };

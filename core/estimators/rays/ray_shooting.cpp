@@ -120,9 +120,9 @@ double RayShooting::nanoseconds(const EstimatorOptions& options, const Scene& sc
 }
 
 void RayShooting::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const {
-    ray_shooting(*scene_, task.subdivision, *tracer_, *task.points, task.samples, task.options.allocation, task.key,
-                 task.trial, outcome.rays, keeps_patches(*scene_, task.subdivision) ? &totals.hits : nullptr);
-    outcome.estimates = face_averages(*scene_, outcome.rays.weighted, task.subdivision.per_part() * task.samples);
+    ray_shooting(scene(), task.subdivision, *tracer_, *task.points, task.samples, task.options.allocation, task.key,
+                 task.trial, outcome.rays, keeps_patches(scene(), task.subdivision) ? &totals.hits : nullptr);
+    outcome.estimates = face_averages(scene(), outcome.rays.weighted, task.subdivision.per_part() * task.samples);
 }
 
 }  // namespace ff

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/estimators/estimator.hpp"
+#include "core/estimators/entry.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -17,7 +17,7 @@ void ray_shooting(const Scene& scene, Subdivision subdivision, const Tracer& tra
                   RayTally& tally, PatchSums* sums);
 
 /// The paper's SR, as an estimator.
-class RayShooting {
+class RayShooting : public SceneEstimator {
   public:
     static constexpr EstimatorInfo info{
         .name = "ray_shooting",
@@ -47,11 +47,11 @@ class RayShooting {
         return info.largest_value;
     }
 
-    RayShooting(const Scene& scene, TracerChoice tracer) : scene_(&scene), tracer_(make_tracer(scene, tracer)) {}
+    RayShooting(const Scene& scene, TracerChoice tracer)
+        : SceneEstimator(scene, tracer), tracer_(make_tracer(scene, tracer)) {}
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;
 
   private:
-    const Scene* scene_;
     std::unique_ptr<const Tracer> tracer_;
 };
 
