@@ -1,7 +1,7 @@
 #include "core/configurations/built_in_scene.hpp"
 
 #include "core/configurations/catalogue.hpp"
-#include "core/configurations/past_obstacles.hpp"
+#include "core/configurations/closed_forms.hpp"
 #include "core/configurations/scenes.hpp"
 #include "core/geometry/box.hpp"
 #include "core/support/error.hpp"

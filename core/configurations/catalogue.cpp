@@ -2,8 +2,6 @@
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/configurations/closed_forms.hpp"
-#include "core/configurations/parameters.hpp"
-#include "core/configurations/past_obstacles.hpp"
 #include "core/configurations/scenes.hpp"
 #include "core/formulas/rectangle_formulas.hpp"
 
@@ -11,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <string>
 
 namespace ff {
@@ -51,7 +50,7 @@ constexpr std::array catalogue{
                   [] { return scenes::rectangles_at_angle(1, 0.5, 2, 90); }},
     Configuration{"R09a", "squares_at_60_degrees", "unit squares with a common edge, 60 degrees between them",
                   "C-16, as a contour integral", "howell", surfaces, false,
-                  [] { return rectangles_at_angle_factor(1, 1, 1, pi / 3); },
+                  [] { return rectangles_at_angle_factor(1, 1, 1, std::numbers::pi_v<long double> / 3); },
                   [] { return scenes::rectangles_at_angle(1, 1, 1, 60); }},
     Configuration{"R10", "tetrahedron", "two faces of a regular tetrahedron",
                   "contour integral; 1/3 by symmetry and closure", "sparrow1963", surfaces, false, tetrahedron_factor,
@@ -88,7 +87,7 @@ constexpr std::array catalogue{
                   "1 - r / sqrt(r^2 + h^2)", "howell", surfaces, false, [] { return cone_wall_to_itself_factor(1, 1); },
                   scenes::cone_wall, 0, 0},
     Configuration{"R27", "wedge", "infinite plates of equal width, at right angles", "1 - sin(angle / 2)", "hottel1954",
-                  endless, false, [] { return wedge_factor(pi / 2); }},
+                  endless, false, [] { return wedge_factor(std::numbers::pi_v<long double> / 2); }},
     Configuration{"R29", "plane_to_tubes", "infinite plane to a row of tubes, axes two diameters apart",
                   "1 - sqrt(1 - D^2) + D acos(D) with D = 0.5; the tubes shade each other", "hottel1954", endless, true,
                   [] { return plane_to_tubes_factor(0.5L); }},

@@ -48,10 +48,11 @@ class BoxTree {
         }
     }
 
-    /// Calls visit(index) for every box that has a point in common with this one.
+    /// Calls visit(index) for every box that has a point in common with this one, larger by `room` on each side.
     template <class Visit>
-    void within(const Eigen::AlignedBox3d& box, Visit visit) const {
+    void within(const Eigen::AlignedBox3d& without_room, double room, Visit visit) const {
         if (nodes_.empty()) return;
+        const Eigen::AlignedBox3d box(without_room.min().array() - room, without_room.max().array() + room);
         std::array<std::uint32_t, most_depth> waiting;
         std::size_t count = 0;
         waiting[count++] = 0;

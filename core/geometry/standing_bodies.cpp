@@ -97,9 +97,9 @@ class Finder {
     void take_away(std::uint32_t surface, ConvexPolygon polygon);
 };
 
-Finder::Finder(const Scene& scene, double gap) : scene_(scene), gap_(gap), number_(gap) {
+Finder::Finder(const Scene& scene, double gap)
+    : scene_(scene), gap_(gap), number_(gap), boxes_(boxes_around(scene.surfaces)) {
     for (std::uint32_t i = 0; i < scene.surfaces.size(); ++i) {
-        boxes_.push_back(box_around(scene.surfaces[i]));
         polygons_.push_back(corners(scene.surfaces[i].shape));
         std::vector<std::uint32_t>& ring = rings_.emplace_back();
         for (const Vector3d& corner : polygons_[i]) {
@@ -167,8 +167,7 @@ void Finder::find_bottoms(const BoxTree& tree) {
     for (std::uint32_t ground = 0; ground < polygons_.size(); ++ground) {
         if (polygons_[ground].empty()) continue;
         const Vector3d& normal = scene_.surfaces[ground].normal;
-        const Vector3d room = Vector3d::Constant(gap_);
-        tree.within({boxes_[ground].min() - room, boxes_[ground].max() + room}, [&](std::uint32_t bottom) {
+        tree.within(boxes_[ground], gap_, [&](std::uint32_t bottom) {
             if (polygons_[bottom].empty() || scene_.surfaces[bottom].normal.dot(normal) >= 0 ||
                 !is_level(bottom, normal, polygons_[ground].front()) || !is_bottom_on(bottom, ground))
                 return;
@@ -219,9 +218,8 @@ std::vector<Finder::Cover> Finder::covered_by_rim(const ConvexPolygon& rim, cons
         return {};
     std::vector<Cover> covers;
     double covered = 0;
-    const Vector3d room = Vector3d::Constant(gap_);
     for (const ConvexPolygon& part : convex_parts(rim, normal)) {
-        tree.within({box.min() - room, box.max() + room}, [&](std::uint32_t ground) {
+        tree.within(box, gap_, [&](std::uint32_t ground) {
             if (polygons_[ground].empty() || scene_.surfaces[ground].normal.dot(normal) <= 0 ||
                 !is_level(ground, normal, rim.front()))
                 return;

@@ -204,6 +204,13 @@ Eigen::AlignedBox3d box_around(const Scene& scene) {
     return box;
 }
 
+std::vector<Eigen::AlignedBox3d> boxes_around(std::span<const Surface> surfaces) {
+    std::vector<Eigen::AlignedBox3d> boxes;
+    boxes.reserve(surfaces.size());
+    for (const Surface& surface : surfaces) boxes.push_back(box_around(surface));
+    return boxes;
+}
+
 Vector3d middle(const Surface& surface) {
     const Eigen::AlignedBox3d box = box_around(surface);
     return (box.min() + box.max()) / 2;

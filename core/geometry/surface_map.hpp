@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <span>
+#include <vector>
 
 namespace ff {
 
@@ -23,7 +24,7 @@ struct SurfaceCoordinates {
 };
 
 /// The map from the unit square onto a surface that preserves ratios of area, with its inverse;
-/// core/geometry/shape.hpp defines s and t. Azimuths begin at the coordinate axis that is farthest from the shape's
+/// core/geometry/scene.hpp defines s and t. Azimuths begin at the coordinate axis that is farthest from the shape's
 /// own, the first of several.
 class SurfaceMap {
   public:
@@ -57,9 +58,10 @@ struct Extent {
 Extent extent(const Surface& surface, const Eigen::Vector3d& direction);
 Extent extent(std::span<const Eigen::Vector3d> points, const Eigen::Vector3d& direction);
 
-/// The axis-aligned box around a surface, or around all of a scene.
+/// The axis-aligned box around a surface, around all of a scene, or around each of several surfaces.
 Eigen::AlignedBox3d box_around(const Surface& surface);
 Eigen::AlignedBox3d box_around(const Scene& scene);
+std::vector<Eigen::AlignedBox3d> boxes_around(std::span<const Surface> surfaces);
 
 /// The middle of that box.
 Eigen::Vector3d middle(const Surface& surface);

@@ -205,17 +205,16 @@ bool comes_close(const Surface& surface, const Surface& other, double distance) 
 }  // namespace
 
 bool has_fine_detail(const Scene& scene) {
-    std::vector<Eigen::AlignedBox3d> boxes;
-    for (const Surface& surface : scene.surfaces) boxes.push_back(box_around(surface));
+    const std::vector<Eigen::AlignedBox3d> boxes = boxes_around(scene.surfaces);
     const double largest = farthest_coordinate(scene);
     if (has_narrow_face(scene, boxes, largest)) return true;
     const BoxTree tree(boxes);
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
         const Surface& a = scene.surfaces[i];
         const bool is_curved = !is_flat(a.shape);
-        const Vector3d room = Vector3d::Constant((is_curved ? near_curved : near_flat) * largest);
+        const double room = (is_curved ? near_curved : near_flat) * largest;
         bool close = false;
-        tree.within({boxes[i].min() - room, boxes[i].max() + room}, [&](std::uint32_t j) {
+        tree.within(boxes[i], room, [&](std::uint32_t j) {
             if (close || j == i) return;
             const Surface& b = scene.surfaces[j];
             if (is_curved) {

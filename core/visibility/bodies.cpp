@@ -76,7 +76,7 @@ bool cuts_through_itself(const std::vector<std::uint32_t>& sides, const SharedEd
     const BoxTree tree(boxes);
     bool found = false;
     for (std::size_t i = 0; i < sides.size() && !found; ++i) {
-        tree.within({boxes[i].min().array() - room, boxes[i].max().array() + room}, [&](std::uint32_t j) {
+        tree.within(boxes[i], room, [&](std::uint32_t j) {
             found = found || (i != j && cuts(edges.outline(sides[i]), edges.outline(sides[j]), room));
         });
     }

@@ -25,12 +25,13 @@ std::array<double, 2> coordinates(const Parallelogram& frame, const Vector3d& pl
 class ClusterTree::Builder {
   public:
     Builder(ClusterTree& tree, const std::vector<Surface>& surfaces, const JoinedSurfaces& walls)
-        : tree_(tree), surfaces_(surfaces), walls_(walls.scene.surfaces), members_(walls_.size()) {
-        for (std::uint32_t s = 0; s < surfaces.size(); ++s) {
-            members_[walls.of[s]].push_back(s);
-            boxes_.push_back(box_around(surfaces[s]));
-        }
-        for (const Surface& wall : walls_) wall_boxes_.push_back(box_around(wall));
+        : tree_(tree),
+          surfaces_(surfaces),
+          walls_(walls.scene.surfaces),
+          members_(walls_.size()),
+          boxes_(boxes_around(surfaces)),
+          wall_boxes_(boxes_around(walls_)) {
+        for (std::uint32_t s = 0; s < surfaces.size(); ++s) members_[walls.of[s]].push_back(s);
         tree_.leaf_of_.resize(surfaces.size());
         std::vector<std::uint32_t> order(walls_.size());
         std::iota(order.begin(), order.end(), 0U);

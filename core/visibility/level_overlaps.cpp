@@ -88,16 +88,14 @@ double level_gap(const Scene& scene) {
 }
 
 std::vector<LevelOverlap> level_overlaps(const Scene& scene) {
-    std::vector<Eigen::AlignedBox3d> boxes;
-    for (const Surface& surface : scene.surfaces) boxes.push_back(box_around(surface));
+    const std::vector<Eigen::AlignedBox3d> boxes = boxes_around(scene.surfaces);
     const double gap = level_gap(scene);
     const BoxTree tree(boxes);
     std::vector<LevelOverlap> overlaps;
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
         const Surface& a = scene.surfaces[i];
         if (!is_flat(a.shape)) continue;
-        const Vector3d room = Vector3d::Constant(std::max(gap, near * std::sqrt(area(a.shape))));
-        tree.within({boxes[i].min() - room, boxes[i].max() + room}, [&](std::uint32_t j) {
+        tree.within(boxes[i], std::max(gap, near * std::sqrt(area(a.shape))), [&](std::uint32_t j) {
             const Surface& b = scene.surfaces[j];
             if (j <= i || !is_flat(b.shape)) return;
             const double smaller = std::min(area(a.shape), area(b.shape));

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/shape.hpp"
+#include "core/geometry/scene.hpp"
 #include "studies/readers/names.hpp"
 #include "studies/scene_files/scene_file.hpp"
 

@@ -1,7 +1,7 @@
 // The closed form against the integral that it solves, by Gauss's rule on the pieces between kinks, with common lengths
 // of intervals found as such.
 
-#include "core/configurations/past_obstacles.hpp"
+#include "core/configurations/closed_forms.hpp"
 
 #include "core/formulas/rectangle_formulas.hpp"
 #include "core/support/error.hpp"

@@ -1,6 +1,6 @@
 // The opposite faces of nested cubes against the same integral with the shadow cut out by polygon clipping.
 
-#include "core/configurations/past_obstacles.hpp"
+#include "core/configurations/closed_forms.hpp"
 
 #include "core/formulas/rectangle_formulas.hpp"
 #include "core/support/error.hpp"
