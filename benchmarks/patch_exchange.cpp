@@ -1,7 +1,7 @@
 // Exact exchange areas of all pairs of patches: the paper's cube with 1014 patches, by closed form (along the axes) and
 // by contour integrals (turned), and single pairs of triangles.
 
-#include "core/exact/patch_exchange.hpp"
+#include "core/exact/exact.hpp"
 
 #include "core/formulas/polygon_exchange.hpp"
 #include "core/geometry/box.hpp"

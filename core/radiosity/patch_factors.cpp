@@ -1,7 +1,7 @@
 #include "core/radiosity/patch_factors.hpp"
 
 #include "core/estimators/pairs/area_kernel.hpp"
-#include "core/exact/patch_exchange.hpp"
+#include "core/exact/exact.hpp"
 #include "core/geometry/placement.hpp"
 #include "core/patches/patch_order.hpp"
 #include "core/support/contract.hpp"

@@ -111,7 +111,7 @@ class Occluders::Walk {
                 if (!shaft) shaft.emplace(from.hull(), to.hull(), std::min(from.grain, to.grain));
                 const Shaft::Crossing crossing = shaft->crossed_by(*plate);
                 if (crossing == Shaft::Crossing::none) continue;
-                if (crossing == Shaft::Crossing::all && !all_.is_level_with_any(cluster.wall)) return false;
+                if (crossing == Shaft::Crossing::all && !all_.is_level_with_any_[cluster.wall]) return false;
             }
             stack_.push_back(candidate);
         }
@@ -131,7 +131,7 @@ class Occluders::Walk {
         // one.
         const std::array ends{from.wall, to.wall};
         const auto is_clear = [this, &ends](std::uint32_t wall) {
-            if (wall == ends[0] || wall == ends[1] || all_.is_level_with_any(wall)) return false;
+            if (wall == ends[0] || wall == ends[1] || all_.is_level_with_any_[wall]) return false;
             const std::uint32_t place = all_.place_of_wall_[wall];
             return std::none_of(unopened_.begin(), unopened_.end(), [&](std::uint32_t cluster) {
                 return place - tree_[cluster].first < tree_[cluster].count;

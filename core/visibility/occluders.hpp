@@ -57,9 +57,6 @@ class Occluders {
     /// Whether parts of each of two surfaces may lie in front of the other.
     [[nodiscard]] bool face_each_other(std::size_t from, std::size_t to) const;
 
-    /// Whether nothing stands between any two surfaces.
-    [[nodiscard]] bool are_none() const { return are_none_; }
-
     [[nodiscard]] const std::vector<Surface>& surfaces() const { return surfaces_; }  ///< the surfaces of the scene
     [[nodiscard]] const std::vector<Surface>& walls() const { return walls_; }
 
@@ -68,7 +65,7 @@ class Occluders {
 
     std::vector<Surface> surfaces_;  ///< the surfaces of the scene
     std::vector<Surface> walls_;     ///< surfaces, joined to walls
-    bool are_none_;
+    bool are_none_;  ///< nothing stands between any two surfaces
     SharedEdges edges_;  ///< edges of walls; everything below is about walls, too
     ConvexBodies bodies_;
     ClosedMeshes meshes_;
@@ -86,7 +83,6 @@ class Occluders {
         return tree_[tree_.leaf_of(static_cast<std::uint32_t>(surface))].wall;
     }
     [[nodiscard]] bool are_level(std::uint32_t a, std::uint32_t b) const;  ///< by indices of walls
-    [[nodiscard]] bool is_level_with_any(std::uint32_t wall) const { return is_level_with_any_[wall]; }
 
     /// Candidates for what stands between any two surfaces.
     [[nodiscard]] std::vector<std::uint32_t> candidates() const;

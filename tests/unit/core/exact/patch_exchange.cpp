@@ -1,7 +1,6 @@
-#include "core/exact/patch_exchange.hpp"
+#include "core/exact/exact.hpp"
 
 #include "core/configurations/built_in_scene.hpp"
-#include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"
 #include "tests/unit/core/geometry/rectangles.hpp"
 
