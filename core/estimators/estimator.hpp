@@ -85,7 +85,7 @@ struct EstimatorInfo {
     /// Largest value of one evaluation, none being negative; infinite where none is known.
     double largest_value = std::numeric_limits<double>::infinity();
     std::string_view evaluations = "evaluations";  ///< what is counted as its work
-    double nanoseconds = 0;      ///< of an evaluation, where they do not depend on the scene: see EstimatorEntry
+    double nanoseconds = 0;      ///< what an evaluation takes, where that does not depend on the scene: EstimatorEntry
     Integrands integrands = {};  ///< where they depend on nothing else
 
     [[nodiscard]] constexpr bool takes_points() const { return dimension > 0; }

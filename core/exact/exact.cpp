@@ -2,7 +2,6 @@
 
 #include "core/formulas/polygon_exchange.hpp"
 #include "core/formulas/rectangle_formulas.hpp"
-#include "core/geometry/aligned_rectangle.hpp"
 #include "core/geometry/convex_polygon.hpp"
 #include "core/support/contract.hpp"
 #include "core/visibility/mirrors.hpp"

@@ -46,7 +46,8 @@ std::optional<Eigen::MatrixXd> polygons_exchange(const Scene& scene) {
     return areas;
 }
 
-constexpr double tolerance = 1e-12;  // of the room's size, and of angles
+/// Lengths count as 0 up to this share of the room's size, and angles up to this.
+constexpr double tolerance = 1e-12;
 constexpr std::size_t most_rings = 64;
 
 /// A circle around the axis.

@@ -141,8 +141,8 @@ struct Scene {
     std::vector<CoveredPart> covered;
     std::vector<MaskedPart> masks;
     std::vector<std::string> remarks;  ///< what reading a file changed or left out, in words
-    std::optional<Eigen::Vector3d>
-        empty_box;  ///< edge lengths a, b, c where the scene is the inside of [0,a]x[0,b]x[0,c]
+    /// Edge lengths a, b, c where the scene is the inside of [0,a]x[0,b]x[0,c].
+    std::optional<Eigen::Vector3d> empty_box;
 };
 
 /// m x m patches in every part of a surface's grid. The patches of a scene are numbered surface by surface, on each as

@@ -58,6 +58,11 @@ class Shaft {
     /// shown to be beside it, or `crossed_by` shows it.
     [[nodiscard]] bool is_beside(const Plate& plate);
 
+    /// Whether either of the two proves that no line crosses a polygon.
+    [[nodiscard]] bool is_clear_of(const Plate& plate) {
+        return crossed_by(plate) == Crossing::none || is_beside(plate);
+    }
+
     static constexpr std::size_t most_corners = 16;
 
     /// The corners of both ends: those of `from`, then those of `to`, the last one repeated up to a multiple of eight.

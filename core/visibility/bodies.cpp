@@ -172,7 +172,7 @@ class ConvexBodies::Finder {
 
     ConvexBodies& result_;
     const SharedEdges& edges_;
-    std::vector<Plane> planes_;  ///< of each surface
+    std::vector<Plane> planes_;  ///< one for each surface
 
     /// Whether two surfaces with a common edge may be sides of a convex body.
     [[nodiscard]] bool are_convex(std::size_t a, std::size_t b) const {

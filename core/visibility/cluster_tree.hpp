@@ -24,8 +24,8 @@ class ClusterTree {
         /// Corners of a convex set that contains the cluster: the rectangle around it in its plane, or the box.
         std::array<Eigen::Vector3d, 8> corners;
         std::uint8_t corner_count = 0;
-        Eigen::Vector3d normal =
-            Eigen::Vector3d::Zero();   ///< common normal, unit length; 0 where the cluster does not lie in one plane
+        /// The common normal, of unit length; 0 where the cluster does not lie in one plane.
+        Eigen::Vector3d normal = Eigen::Vector3d::Zero();
         double plane = 0;              ///< normal * v of its places
         double grain = 0;              ///< longest edge of the box around its smallest surface
         double size = 0;               ///< diagonal of its own box
@@ -33,8 +33,8 @@ class ClusterTree {
         bool is_wall = false;          ///< the cluster is all of that wall
         std::uint32_t first = 0;       ///< place of its first surface in `order`
         std::uint32_t count = 0;
-        std::uint32_t upper =
-            0;  ///< the cluster of its upper half, that of the lower one being the next; 0: one surface
+        /// The cluster of its upper half; that of the lower half is the next one. 0 where it is a single surface.
+        std::uint32_t upper = 0;
 
         [[nodiscard]] bool is_flat() const { return !normal.isZero(0); }
         [[nodiscard]] bool is_leaf() const { return upper == 0; }

@@ -65,8 +65,8 @@ class Occluders {
 
     std::vector<Surface> surfaces_;  ///< the surfaces of the scene
     std::vector<Surface> walls_;     ///< surfaces, joined to walls
-    bool are_none_;  ///< nothing stands between any two surfaces
-    SharedEdges edges_;  ///< edges of walls; everything below is about walls, too
+    bool are_none_;                  ///< nothing stands between any two surfaces
+    SharedEdges edges_;              ///< edges of walls; everything below is about walls, too
     ConvexBodies bodies_;
     ClosedMeshes meshes_;
     ClusterTree tree_;

@@ -56,8 +56,9 @@ class VisiblePolygon {
     /// By blocker: whether it hides something from places on either side of its plane, before it only, or behind.
     enum class Hides : std::uint8_t { always, from_before, from_behind };
     std::vector<Hides> hides_;
-    std::vector<bool> are_convex_;  ///< for each two blockers: each lies behind the other, so that no line meets the
-                                    ///< front, or the back, of both
+    /// For each two blockers, whether each lies behind the other, so that no line meets the front, or the back, of
+    /// both.
+    std::vector<bool> are_convex_;
     std::vector<std::uint32_t> all_;
 
     void find_convex_pairs();

@@ -1,6 +1,6 @@
 #include "studies/results/resources.hpp"
 
-#include "core/geometry/aligned_rectangle.hpp"
+#include "core/formulas/rectangle_formulas.hpp"
 #include "core/visibility/occlusion.hpp"
 #include "core/visibility/touching.hpp"
 #include "studies/analysis/slopes.hpp"

@@ -56,8 +56,7 @@ Vector3d along_arc(const Vector3d& from, const Vector3d& direction, double verse
 struct TargetPatch {
     std::array<Vector3d, 4> corners;
     Vector3d normal;
-    std::array<double, 2>
-        twice_area;  ///< twice the areas of the triangles (0, 1, 2) and (0, 2, 3), in squared units of length
+    std::array<double, 2> twice_area;  ///< those of the triangles of corners 0, 1, 2 and 0, 2, 3
     double width;
     double height;
     bool is_rectangle;

@@ -48,10 +48,7 @@ bool holds_place(const Surface& near, const Vector3d& place) {
 
 /// Whether no line from a plate to a polygon meets another plate.
 bool is_clear_of(const Surface& surface, const ConvexPolygon& to, const Surface& blocker) {
-    const ConvexPolygon from = corners(surface.shape);
-    Shaft shaft(from, to);
-    const Plate plate(corners(blocker.shape));
-    return shaft.crossed_by(plate) == Shaft::Crossing::none || shaft.is_beside(plate);
+    return Shaft(corners(surface.shape), to).is_clear_of(Plate(corners(blocker.shape)));
 }
 
 /// Whether every line from the far surface through an obstacle meets the near one.

@@ -7,7 +7,7 @@
 #include "core/configurations/catalogue.hpp"
 #include "core/configurations/closed_forms.hpp"
 #include "core/exact/known_factors.hpp"
-#include "core/geometry/aligned_rectangle.hpp"
+#include "core/formulas/rectangle_formulas.hpp"
 #include "core/support/error.hpp"
 #include "tests/unit/core/configurations/intervals.hpp"
 

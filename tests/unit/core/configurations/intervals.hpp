@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/aligned_rectangle.hpp"
+#include "core/formulas/rectangle_formulas.hpp"
 
 namespace ff::test {
 

@@ -5,7 +5,7 @@
 #include "core/formulas/polygon_exchange.hpp"
 
 #include "core/exact/exact.hpp"
-#include "core/geometry/aligned_rectangle.hpp"
+#include "core/formulas/rectangle_formulas.hpp"
 #include "core/geometry/convex_polygon.hpp"
 #include "tests/unit/core/geometry/random_rectangles.hpp"
 #include "tests/unit/core/geometry/rectangles.hpp"

@@ -1,4 +1,4 @@
-#include "core/geometry/aligned_rectangle.hpp"
+#include "core/formulas/rectangle_formulas.hpp"
 
 #include "tests/unit/core/geometry/rectangles.hpp"
 
