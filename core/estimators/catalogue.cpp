@@ -107,19 +107,16 @@ std::string refusal_of(const EstimatorInfo& info, const Scene& scene) {
             "\"ray_shooting\", or leave 'mirrors' out.",
             info.name, scene.name);
     }
-    if (!info.sees_occluders && may_be_occluded(scene)) {
-        return fmt::format(
-            "{} cannot be used in scene '{}' (something may stand between two of its faces, which the estimator does "
-            "not see). Use estimator = \"ray_shooting\" or \"area_kernel\".",
-            info.name, scene.name);
-    }
-    if (info.needs_polygons && !has_polygonal_faces(scene)) {
-        return fmt::format(
-            "{} cannot be used in scene '{}' (not all of its faces are parallelograms and triangles). Use estimator = "
-            "\"ray_shooting\" or \"area_kernel\".",
-            info.name, scene.name);
-    }
+    if (!info.sees_occluders && may_be_occluded(scene))
+        return refused(info, scene, "something may stand between two of its faces, which the estimator does not see");
+    if (info.needs_polygons && !has_polygonal_faces(scene))
+        return refused(info, scene, "not all of its faces are parallelograms and triangles");
     return {};
+}
+
+std::string refused(const EstimatorInfo& info, const Scene& scene, std::string_view why, std::string_view instead) {
+    return fmt::format("{} cannot be used in scene '{}' ({}). Use estimator = {}.", info.name, scene.name, why,
+                       instead);
 }
 
 }  // namespace ff

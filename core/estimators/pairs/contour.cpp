@@ -32,12 +32,9 @@ Rim rim(const PatchView& patch) {
     return edges;
 }
 
-std::string refusal_by_rims(std::string_view estimator, const Scene& scene) {
+std::string refusal_by_rims(const EstimatorInfo& info, const Scene& scene) {
     if (is_convex(scene)) return {};
-    return fmt::format(
-        "{} cannot be used in scene '{}' (some of its surfaces lie behind the plane of another). Use estimator = "
-        "\"solid_angle\".",
-        estimator, scene.name);
+    return refused(info, scene, "some of its surfaces lie behind the plane of another", "\"solid_angle\"");
 }
 
 /// Two edges whose distances count.
@@ -175,7 +172,7 @@ class ContourIntegral {
 }  // namespace
 
 std::string Contour::refusal(const EstimatorOptions& /*options*/, const Scene& scene) {
-    return refusal_by_rims(info.name, scene);
+    return refusal_by_rims(info, scene);
 }
 
 void Contour::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
@@ -190,7 +187,7 @@ void Contour::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& 
 }
 
 std::string AdaptiveContour::refusal(const EstimatorOptions& /*options*/, const Scene& scene) {
-    return refusal_by_rims(info.name, scene);
+    return refusal_by_rims(info, scene);
 }
 
 std::string AdaptiveContour::size_problem(std::uint64_t samples) {

@@ -10,10 +10,16 @@ enum class Heuristic {
     power,    ///< p^2 / (p^2 + q^2)
 };
 
-inline constexpr double nanoseconds_of_two_ways = 100;
-
-/// The value of a ray jumps where the target ends; where faces touch, no theory holds.
-inline constexpr Integrands integrands_of_two_ways{.apart = Integrand::jumping, .adjacent = Integrand::rough};
+/// Declarations that both heuristics share, besides their own ones.
+constexpr EstimatorInfo two_ways(EstimatorInfo info) {
+    info.dimension = 4;
+    info.points = PointsServe::pairs;
+    info.sees_occluders = true;
+    info.nanoseconds = 100;
+    // The value of a ray jumps where the target ends; where faces touch, no theory holds.
+    info.integrands = {.apart = Integrand::jumping, .adjacent = Integrand::rough};
+    return info;
+}
 
 /// What the estimators of both heuristics have in common.
 class TwoWays : public SceneEstimator {
@@ -31,7 +37,7 @@ class TwoWays : public SceneEstimator {
 /// Rays and the area kernel in one, weighted by the balance heuristic.
 class RaysAndKernel : public TwoWays {
   public:
-    static constexpr EstimatorInfo info{
+    static constexpr EstimatorInfo info = two_ways({
         .name = "rays_and_kernel",
         .summary = "multiple importance sampling: a ray and a kernel value for each point (balance heuristic)",
         .details =
@@ -41,13 +47,8 @@ class RaysAndKernel : public TwoWays {
             "finite wherever\nfaces touch, with every shape. Unbiased with random points. What may stand in between is "
             "looked at point by\npoint, in double precision. samples_per_patch counts points per pair of patches.",
         .reference = "veach1995",
-        .dimension = 4,
-        .points = PointsServe::pairs,
-        .sees_occluders = true,
         .largest_value = 2,
-        .nanoseconds = nanoseconds_of_two_ways,
-        .integrands = integrands_of_two_ways,
-    };
+    });
 
     using TwoWays::TwoWays;
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
@@ -58,21 +59,15 @@ class RaysAndKernel : public TwoWays {
 /// The same, weighted by the power heuristic.
 class RaysAndKernelPower : public TwoWays {
   public:
-    static constexpr EstimatorInfo info{
+    static constexpr EstimatorInfo info = two_ways({
         .name = "rays_and_kernel_power",
         .summary = "multiple importance sampling: a ray and a kernel value for each point (power heuristic)",
-        .details =
-            "As rays_and_kernel, with weights that leave less to the worse of the two ways: with q = 1/A, "
-            "a place that a ray\nfound counts p^2 / (p^2 + q^2), and one laid on the target p q / (p^2 + q^2). "
-            "Values lie between 0 and 3/2.\nUnbiased with random points.",
+        .details = "As rays_and_kernel, with weights that leave less to the worse of the two ways: with q = 1/A, "
+                   "a place that a ray\nfound counts p^2 / (p^2 + q^2), and one laid on the target p q / (p^2 + q^2). "
+                   "Values lie between 0 and 3/2.\nUnbiased with random points.",
         .reference = "veach1995",
-        .dimension = 4,
-        .points = PointsServe::pairs,
-        .sees_occluders = true,
         .largest_value = 1.5,
-        .nanoseconds = nanoseconds_of_two_ways,
-        .integrands = integrands_of_two_ways,
-    };
+    });
 
     using TwoWays::TwoWays;
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {

@@ -8,7 +8,6 @@
 #include "core/visibility/mirrors.hpp"
 #include "core/visibility/occlusion.hpp"
 
-#include <fmt/format.h>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -98,10 +97,7 @@ Eigen::MatrixXd point_to_polygon(const Scene& scene, Subdivision subdivision, co
 
 std::string PointToPolygon::refusal(const EstimatorOptions& /*options*/, const Scene& scene) {
     if (has_only_parallelograms(scene)) return {};
-    return fmt::format(
-        "{} cannot be used in scene '{}' (not all of its surfaces are parallelograms). Use estimator = "
-        "\"ray_shooting\" or \"area_kernel\".",
-        info.name, scene.name);
+    return refused(info, scene, "not all of its surfaces are parallelograms");
 }
 
 void PointToPolygon::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
@@ -130,10 +126,7 @@ std::string PointToVisiblePolygon::refusal(const EstimatorOptions& /*options*/, 
     const bool polygons = std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
                                       [](const Surface& surface) { return is_polygon(surface.shape); });
     if (polygons) return {};
-    return fmt::format(
-        "{} cannot be used in scene '{}' (not all of its surfaces are parallelograms and triangles). Use estimator = "
-        "\"ray_shooting\" or \"area_kernel\".",
-        info.name, scene.name);
+    return refused(info, scene, "not all of its surfaces are parallelograms and triangles");
 }
 
 void PointToVisiblePolygon::observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& /*totals*/) const {
