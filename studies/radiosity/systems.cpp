@@ -1,6 +1,6 @@
 #include "studies/radiosity/systems.hpp"
 
-#include "core/exact/exact_rooms.hpp"
+#include "core/exact/known_factors.hpp"
 #include "core/patches/face_averages.hpp"
 #include "core/patches/patch_order.hpp"
 #include "core/radiosity/patch_factors.hpp"
