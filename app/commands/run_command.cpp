@@ -14,10 +14,10 @@
 #include "reports/files/output_file.hpp"
 #include "reports/terminal/terminal.hpp"
 #include "studies/results/resources.hpp"
-#include "studies/run/growth.hpp"
 #include "studies/run/measured_costs.hpp"
-#include "studies/run/record_words.hpp"
+#include "studies/run/merge.hpp"
 #include "studies/run/run.hpp"
+#include "studies/store/records.hpp"
 #include "studies/store/store.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,7 @@
 #include "app/process/processes.hpp"
 
 #include "studies/plan/plan.hpp"
-#include "studies/plan/shard.hpp"
+#include "studies/run/parallel.hpp"
 #include "studies/spec/convergence_study.hpp"
 
 #include <chrono>

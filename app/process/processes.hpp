@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studies/plan/shard.hpp"
+#include "studies/run/parallel.hpp"
 
 #include <cstdint>
 #include <functional>

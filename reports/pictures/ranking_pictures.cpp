@@ -3,8 +3,8 @@
 #include "reports/pictures/pictures.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/words/answer.hpp"
-#include "studies/comparison/rivals.hpp"
-#include "studies/diagnostics/claimed_errors.hpp"
+#include "studies/comparison/ranking.hpp"
+#include "studies/diagnostics/coverage.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,6 @@
 #include "reports/text/numbers.hpp"
 
 #include "studies/comparison/contests.hpp"
-#include "studies/comparison/decisions.hpp"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include "reports/words/findings/coverage_words.hpp"
 #include "reports/words/in_brief.hpp"
 #include "stats/basics/distributions.hpp"
-#include "studies/diagnostics/claimed_errors.hpp"
+#include "studies/diagnostics/coverage.hpp"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include "reports/words/findings/standing.hpp"
 #include "samplers/sampler.hpp"
 #include "stats/basics/distributions.hpp"
-#include "studies/diagnostics/claimed_errors.hpp"
+#include "studies/diagnostics/coverage.hpp"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,13 @@
 #include "studies/analysis/analysis.hpp"
 
 #include "core/estimators/added.hpp"
-#include "core/exact/known_factors.hpp"
+#include "core/exact/exact.hpp"
+#include "core/patches/patch_order.hpp"
+#include "core/visibility/mirrors.hpp"
 #include "core/visibility/pair_class.hpp"
 #include "samplers/outside/added.hpp"
 #include "stats/basics/interval.hpp"
 #include "stats/dependence/repeats.hpp"
-#include "stats/error_rates/multiplicity.hpp"
 #include "stats/error_rates/power.hpp"
 #include "studies/theory/known_variance.hpp"
 #include "studies/trials/until.hpp"
@@ -14,7 +15,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <numeric>
+#include <ranges>
 
 namespace ff::studies {
 namespace {
@@ -74,6 +78,47 @@ bool has_no_rmse(const Summary& summary) {
     return summary.variance == VarianceStatus::infinite || summary.variance == VarianceStatus::undefined;
 }
 
+/// Sums over all saved trials of what a trial estimates for the factors from each patch to each face:
+/// [patch * faces + face]; empty where none are kept.
+struct PatchTotals {
+    std::uint64_t trials = 0;
+    std::vector<double> sum;
+    std::vector<double> sum_of_squares;
+};
+
+PatchTotals patch_totals(const Store& store, std::size_t cell) {
+    const Cell& planned = store.plan().cells.at(cell);
+    const bool counted = estimator_info(store.plan().spec.methods[planned.method]).observes == Observes::hits;
+    const auto rays = static_cast<double>(planned.samples_per_patch);
+    PatchTotals totals;
+    Statement query(store.database().handle(),
+                    "SELECT trials, patch_hits, patch_hits_squared FROM units WHERE cell = ? ORDER BY unit");
+    query.with(cell);
+    while (query.step()) {
+        const auto sum = query.integers(1);
+        const auto squares = query.integers(2);
+        if (sum.empty()) continue;
+        totals.trials += static_cast<std::uint64_t>(query.integer(0));
+        totals.sum.resize(sum.size());
+        totals.sum_of_squares.resize(squares.size());
+        for (std::size_t i = 0; i < sum.size(); ++i) {
+            totals.sum[i] += counted ? static_cast<double>(sum[i]) / rays : std::bit_cast<double>(sum[i]);
+            totals.sum_of_squares[i] +=
+                counted ? static_cast<double>(squares[i]) / (rays * rays) : std::bit_cast<double>(squares[i]);
+        }
+    }
+    return totals;
+}
+
+bool at_edge(const PatchPlace& place, Grid grid) {
+    return std::min(place.row, place.column) == 0 || place.row == grid.rows - 1 || place.column == grid.columns - 1;
+}
+
+double root_of_mean(const std::vector<double>& squares) {
+    const double sum = std::accumulate(squares.begin(), squares.end(), 0.0);
+    return squares.empty() ? 0 : std::sqrt(sum / static_cast<double>(squares.size()));
+}
+
 }  // namespace
 
 std::optional<double> reference_of(const Scene& scene, const KnownFactors& known, Quantity quantity) {
@@ -89,7 +134,7 @@ std::optional<double> reference_of(const Scene& scene, const KnownFactors& known
 }
 
 const Summary& CellAnalysis::summary(Quantity quantity) const {
-    return *std::find_if(summaries.begin(), summaries.end(), [&](const Summary& s) { return s.quantity == quantity; });
+    return *std::ranges::find(summaries, quantity, &Summary::quantity);
 }
 
 std::optional<double> CellAnalysis::class_rmse(PairClass pair_class) const {
@@ -98,15 +143,14 @@ std::optional<double> CellAnalysis::class_rmse(PairClass pair_class) const {
 }
 
 const ClassError* CellAnalysis::class_error(PairClass pair_class) const {
-    const auto found = std::find_if(class_errors.begin(), class_errors.end(),
-                                    [&](const ClassError& error) { return error.pair_class == pair_class; });
+    const auto found = std::ranges::find(class_errors, pair_class, &ClassError::pair_class);
     return found == class_errors.end() ? nullptr : &*found;
 }
 
 bool CellAnalysis::has_infinite_variance(PairClass pair_class) const {
     const ClassError* error = class_error(pair_class);
     if (error != nullptr && error->status == VarianceStatus::infinite) return true;
-    return std::any_of(summaries.begin(), summaries.end(), [&](const Summary& s) {
+    return std::ranges::any_of(summaries, [&](const Summary& s) {
         return s.pair_class == pair_class && s.variance == VarianceStatus::infinite;
     });
 }
@@ -129,12 +173,9 @@ CellAnalysis analyse_cell(const CellReader& cells, std::size_t cell_index) {
     findings.lost_rays = estimates.lost_rays;
     findings.evaluations_per_face = estimates.evaluations_per_face;
     if (estimates.trials() == 0) return findings;
-    const bool equal_areas = [&] {
-        for (std::size_t face = 1; face < estimates.faces; ++face) {
-            if (face_area(scene, static_cast<int>(face)) != face_area(scene, 0)) return false;
-        }
-        return true;
-    }();
+    const bool equal_areas = std::ranges::all_of(std::views::iota(0, static_cast<int>(estimates.faces)), [&](int face) {
+        return face_area(scene, face) == face_area(scene, 0);
+    });
     const std::optional<std::size_t> pilot = plan.spec.until ? std::optional(plan.spec.until->pilot) : std::nullopt;
     const double detectable = detectable_in_sigmas(plan, tested, estimates.trials(), pilot);
     for (const Quantity quantity : all_quantities(estimates)) {
@@ -180,7 +221,7 @@ CellAnalysis analyse_cell(const CellReader& cells, std::size_t cell_index) {
             findings.shapes.push_back(std::move(*shape));
         }
     }
-    if (std::none_of(findings.summaries.begin(), findings.summaries.end(), has_no_rmse))
+    if (std::ranges::none_of(findings.summaries, has_no_rmse))
         findings.patch_errors = patch_errors(cells.store(), cell_index);
     if (!cell.deterministic) {
         bool refuted = false;
@@ -217,6 +258,48 @@ std::string repeats_in_words(const StudyPlan& plan, const CellAnalysis& found) {
         plan.spec.methods[cell.method].name, plan.scenes[cell.scene].name,
         cell.samples_per_patch > 0 ? fmt::format(" at {} samples", cell.samples_per_patch) : "", found.repeated_trials,
         found.trials);
+}
+
+std::optional<PatchErrors> patch_errors(const Store& store, std::size_t cell_index) {
+    const Cell& cell = store.plan().cells[cell_index];
+    const Scene& scene = store.plan().scenes[cell.scene];
+    const std::size_t faces = scene.faces.size();
+    const PatchOrder order(scene, cell.subdivision);
+    const std::size_t patches = order.size();
+    const PatchTotals sums = patch_totals(store, cell_index);
+    if (patches == scene.surfaces.size() || sums.trials == 0 || sums.sum.size() != patches * faces) return std::nullopt;
+    const auto exact = exact_patch_to_face(scene, cell.subdivision);
+    if (!exact) return std::nullopt;
+
+    PatchErrors errors;
+    const auto trials = static_cast<double>(sums.trials);
+    std::vector<double> edges;
+    std::vector<double> inner;
+    for (std::uint32_t patch = 0; patch < patches; ++patch) {
+        const PatchPlace place = order.place(patch);
+        const Surface& surface = scene.surfaces[place.surface];
+        if (!is_of_face(surface)) {
+            errors.rmse.push_back(0);
+            continue;
+        }
+        const auto own = static_cast<std::size_t>(surface.face);
+        double squares = 0;
+        for (std::size_t face = 0; face < faces; ++face) {
+            if (face == own) continue;
+            const double truth = (*exact)(patch, static_cast<Eigen::Index>(face));
+            const double mean = sums.sum[patch * faces + face] / trials;
+            const double mean_square = sums.sum_of_squares[patch * faces + face] / trials;
+            const double variance = sums.trials == 1 ? 0 : std::max(0.0, mean_square - mean * mean);
+            squares += variance + (mean - truth) * (mean - truth);
+        }
+        squares /= static_cast<double>(faces - 1);
+        errors.rmse.push_back(std::sqrt(squares));
+        (at_edge(place, cell.subdivision.of(surface)) ? edges : inner).push_back(squares);
+    }
+    errors.at_edges = root_of_mean(edges);
+    errors.inside = root_of_mean(inner);
+    errors.worst = static_cast<std::size_t>(std::ranges::max_element(errors.rmse) - errors.rmse.begin());
+    return errors;
 }
 
 }  // namespace ff::studies

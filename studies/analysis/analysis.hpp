@@ -3,11 +3,11 @@
 #include "core/exact/known_factors.hpp"
 #include "studies/analysis/bias.hpp"
 #include "studies/analysis/class_error.hpp"
-#include "studies/analysis/error_shape.hpp"
-#include "studies/analysis/patch_error.hpp"
 #include "studies/analysis/summary.hpp"
-#include "studies/trials/cell_reader.hpp"
+#include "studies/store/store.hpp"
+#include "studies/trials/estimates.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,6 +18,19 @@ namespace ff::studies {
 /// The exact value of a quantity; empty where there is none.
 /// @param known  known_factors(scene)
 std::optional<double> reference_of(const Scene& scene, const KnownFactors& known, Quantity quantity);
+
+/// Where on the faces a method's errors arise: one value for each patch.
+struct PatchErrors {
+    std::vector<double> rmse;  ///< root mean square error of the factors of each patch, over trials and other faces
+    double at_edges = 0;       ///< root mean square over the patches along the edges of the surfaces
+    double inside = 0;         ///< the same of all others; 0 where there are none
+    std::size_t worst = 0;     ///< patch
+};
+
+/// From the patch sums in the store and the exact patch-to-face factors. It applies to the direct estimates, before
+/// completion by reciprocity.
+/// @return empty without patch sums, trials or exact factors, and for one patch per surface
+std::optional<PatchErrors> patch_errors(const Store& store, std::size_t cell);
 
 /// Statistics of one cell.
 struct CellAnalysis {

@@ -21,8 +21,7 @@ namespace {
 
 /// Cells whose bias is tested; at least 1.
 std::size_t sampled_cells(const StudyPlan& plan) {
-    const auto sampled =
-        std::count_if(plan.cells.begin(), plan.cells.end(), [](const Cell& cell) { return !cell.deterministic; });
+    const auto sampled = std::ranges::count(plan.cells, false, &Cell::deterministic);
     return static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, sampled));
 }
 
@@ -131,7 +130,7 @@ bool withdraw_what_others_explain(const PairTester& tester, std::span<const Quan
     const auto found_biased = [&](const std::optional<PairTest>& test) {
         return test && test->mean && test->test.p < tester.pair_alpha;
     };
-    if (trials == 0 || trials > many_trials || std::none_of(tests.begin(), tests.end(), found_biased)) return false;
+    if (trials == 0 || trials > many_trials || std::ranges::none_of(tests, found_biased)) return false;
     // Pairs may lean to either side: those that clearly lean downwards are mirrored. Normal trials seem to lean, too.
     const double clearly = 2 * stats::skewness_standard_error(estimates.trials()).value_or(0);
     std::vector<double> pooled;
@@ -149,8 +148,8 @@ bool withdraw_what_others_explain(const PairTester& tester, std::span<const Quan
     for (auto& test : tests) {
         if (!found_biased(test)) continue;
         const double size = std::abs(test->t);
-        const auto below = std::count_if(sound.begin(), sound.end(), [size](double t) { return t <= -size; });
-        const auto above = std::count_if(sound.begin(), sound.end(), [size](double t) { return t >= size; });
+        const auto below = std::ranges::count_if(sound, [size](double t) { return t <= -size; });
+        const auto above = std::ranges::count_if(sound, [size](double t) { return t >= size; });
         if (static_cast<double>(std::max(below, above)) <= rare) continue;
         withdraw(*test);
         some = true;
@@ -197,10 +196,10 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
                       std::span<const Summary> summaries, bool& refuted) {
     const StudySpec& spec = plan.spec;
     const auto summary_of = [&](Quantity pair) -> const Summary& {
-        return *std::find_if(summaries.begin(), summaries.end(), [&](const Summary& s) { return s.quantity == pair; });
+        return *std::ranges::find(summaries, pair, &Summary::quantity);
     };
-    const auto known = std::count_if(pairs.begin(), pairs.end(),
-                                     [&](Quantity pair) { return summary_of(pair).reference.has_value(); });
+    const auto known =
+        std::ranges::count_if(pairs, [&](Quantity pair) { return summary_of(pair).reference.has_value(); });
     const auto tested = static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, known));
     const double alpha = 1.0 - spec.level;
     const std::size_t cells = sampled_cells(plan);
@@ -215,7 +214,7 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
     }
     std::vector<std::optional<PairTest>> tests;
     for (const Quantity pair : pairs) tests.push_back(tester.test(summary_of(pair)));
-    const bool matters = spec.equivalence_margin || std::any_of(tests.begin(), tests.end(), [&](const auto& test) {
+    const bool matters = spec.equivalence_margin || std::ranges::any_of(tests, [&](const auto& test) {
                              return test && test->test.p < tester.pair_alpha;
                          });
     family.heavy_tails = matters && withdraw_heavy_tails(estimates, pairs, tests);
@@ -278,14 +277,12 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
     if (p_values.empty()) return family;
     const auto adjusted = stats::holm(p_values);
     const auto over_cells = [cells](double p) { return -std::expm1(static_cast<double>(cells) * std::log1p(-p)); };
-    const auto smallest = [&](const std::vector<double>& p) {
-        return over_cells(*std::min_element(p.begin(), p.end()));
-    };
+    const auto smallest = [&](const std::vector<double>& p) { return over_cells(*std::ranges::min_element(p)); };
     family.adjusted_p = smallest(adjusted);
     const auto student_adjusted = stats::holm(student_p);
     family.student_p = smallest(student_adjusted);
     const auto some_constant_below_alpha = [&](const std::vector<double>& p) {
-        return std::any_of(constants.begin(), constants.end(), [&](std::size_t k) { return over_cells(p[k]) < alpha; });
+        return std::ranges::any_of(constants, [&](std::size_t k) { return over_cells(p[k]) < alpha; });
     };
     family.constant_and_wrong = some_constant_below_alpha(adjusted);
     family.constant = some_constant_below_alpha(student_adjusted);
@@ -303,9 +300,8 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
 }
 
 double p_of_constant(double bias, std::optional<double> lattice, std::size_t trials) {
-    constexpr double rounding = 1e-12;
     const double error = std::abs(bias);
-    if (error <= lattice.value_or(0.0) + rounding) return 1;
+    if (error <= lattice.value_or(0.0) + rounding_error) return 1;
     const double steps = lattice ? std::floor(error / *lattice) : 1;
     return std::pow(1 / (steps + 1), static_cast<double>(trials - 1));
 }

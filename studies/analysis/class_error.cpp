@@ -1,17 +1,12 @@
 #include "studies/analysis/class_error.hpp"
 
 #include "core/visibility/facing.hpp"
-#include "stats/basics/distributions.hpp"
 #include "stats/basics/moments.hpp"
 #include "stats/basics/quantiles.hpp"
-#include "stats/means/mean_interval.hpp"
-#include "stats/means/mean_test.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
-#include <vector>
 
 namespace ff::studies {
 namespace {
@@ -152,14 +147,14 @@ std::vector<double> errors_of(const CellEstimates& estimates, std::span<const Qu
 
 std::vector<Quantity> known_pairs(std::span<const Quantity> pairs, const KnownFactors& known) {
     std::vector<Quantity> members;
-    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(members),
-                 [&](const Quantity pair) { return known.at(pair.from - 1, pair.to - 1).has_value(); });
+    std::ranges::copy_if(pairs, std::back_inserter(members),
+                         [&](const Quantity pair) { return known.at(pair.from - 1, pair.to - 1).has_value(); });
     return members;
 }
 
 std::vector<Quantity> pairs_of_class(const Scene& scene, std::span<const Quantity> pairs, PairClass wanted) {
     std::vector<Quantity> members;
-    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(members), [&](const Quantity pair) {
+    std::ranges::copy_if(pairs, std::back_inserter(members), [&](const Quantity pair) {
         return face_each_other(scene, pair.from - 1, pair.to - 1) &&
                pair_class(scene, pair.from - 1, pair.to - 1) == wanted;
     });

@@ -18,9 +18,6 @@
 namespace ff::studies {
 namespace {
 
-/// Errors of this size are those of double precision.
-constexpr double error_of_rounding = 1e-12;
-
 /// Trials drawn by all resamples of a ladder together, about: more trials need fewer resamples.
 constexpr double most_draws = 4e6;
 
@@ -44,7 +41,7 @@ std::optional<double> deterministic_slope(std::span<const stats::Rung> rungs, Er
         sizes.push_back(rung.size);
         errors.push_back(error == ErrorSize::rmse ? root_mean_square(rung.errors)
                                                   : *stats::median_absolute_error(rung.errors, 0));
-        if (errors.back() < error_of_rounding) return std::nullopt;
+        if (errors.back() < rounding_error) return std::nullopt;
     }
     const auto law = stats::fit_power_law(sizes, errors);
     return law ? std::optional(-law->exponent) : std::nullopt;
@@ -75,7 +72,7 @@ void fit(std::span<const stats::Rung> rungs, double level, const stats::LadderDr
     if (!rate) return;
     slope.slope = rate->rate;
     const auto few = [](const stats::Rung& rung) { return rung.replicates() < stats::fewest_replicates; };
-    slope.few_trials = slope.few_trials || std::any_of(rungs.begin(), rungs.end(), few);
+    slope.few_trials = slope.few_trials || std::ranges::any_of(rungs, few);
     if (slope.few_trials) return;
     slope.interval = rate->bootstrap;
     if (slope.statistic == ErrorSize::rmse) slope.interval_from_fit = rate->interval;
@@ -131,8 +128,8 @@ class LadderFit {
 
     [[nodiscard]] Hiding hiding(std::span<const Quantity> pairs) const {
         const Scene& scene = plan_.scenes[ladder_.scene];
-        return std::any_of(pairs.begin(), pairs.end(),
-                           [&](Quantity pair) { return may_be_occluded(scene, pair.from - 1, pair.to - 1); })
+        return std::ranges::any_of(pairs,
+                                   [&](Quantity pair) { return may_be_occluded(scene, pair.from - 1, pair.to - 1); })
                    ? Hiding::possible
                    : Hiding::none;
     }
@@ -155,8 +152,8 @@ class LadderFit {
         slope.pair_class = class_of(pairs.front());
         slope.statistic = error;
         slope.variance = variance_of(pairs.front());
-        slope.few_trials = std::any_of(ladder_.cells.begin(), ladder_.cells.end(),
-                                       [&](std::size_t cell) { return findings_.cells[cell].repeated_trials > 0; });
+        slope.few_trials = std::ranges::any_of(
+            ladder_.cells, [&](std::size_t cell) { return findings_.cells[cell].repeated_trials > 0; });
         if (ladder_.growth == Growth::samples) slope.expected = expected_rate(method, slope.pair_class, hiding(pairs));
         const auto sizes = rungs(pairs);
         fit(sizes, plan_.spec.level, draws_, slope);
@@ -172,7 +169,7 @@ class LadderFit {
             for (const Quantity pair : pairs) of_pairs.push_back(known_limits(plan_, *estimates, pair).unmet);
             unmet.push_back(unmet_squares(of_pairs, estimates->evaluations_per_face));
         }
-        if (std::all_of(unmet.begin(), unmet.end(), [](const stats::Unmet& size) { return size.largest == 0; })) return;
+        if (std::ranges::all_of(unmet, [](const stats::Unmet& size) { return size.largest == 0; })) return;
         const auto rate = stats::measured_rmse_rate(sizes, unmet);
         const stats::Measured nearest{
             .value = *slope.slope > slope.slowest_expected ? slope.slowest_expected : slope.expected->rate,

@@ -6,13 +6,17 @@
 #include "stats/basics/interval.hpp"
 #include "stats/means/mean_test.hpp"
 #include "studies/theory/known_variance.hpp"
+#include "studies/trials/estimates.hpp"
 
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string_view>
+#include <vector>
 
 namespace ff::studies {
+
+/// Errors of form factors below this are rounding.
+inline constexpr double rounding_error = 1e-12;
 
 /// Statistics of one quantity over all trials of a cell. Values that do not exist are empty: no interval for a
 /// deterministic method or under infinite variance, no bias without an exact value.
@@ -73,5 +77,36 @@ std::optional<stats::MeanEvidence> mean_of_trials(std::span<const double> values
 /// hardly ever do (once in 10 000), so that they are not what their sampler declares. @pre at least 2 values, 0 <
 /// lattice
 std::optional<stats::Proportion> binomial_hits(std::span<const double> values, double lattice);
+
+/// The distribution of the errors of single runs, beside a normal one with the same mean and standard deviation.
+struct ErrorShape {
+    /// Runs with low <= error < high; the last bin includes its upper end.
+    struct Bin {
+        double low = 0;
+        double high = 0;
+        std::uint64_t runs = 0;
+        double normal = 0;  ///< expected number of runs under a normal distribution
+    };
+    /// A quantile in standard deviations from the mean.
+    struct QuantilePair {
+        double normal = 0;
+        double runs = 0;
+    };
+
+    Quantity quantity;
+    double mean = 0;   ///< mean error
+    double sigma = 0;  ///< their sample standard deviation
+    double q25 = 0;
+    double q75 = 0;
+    std::vector<Bin> bins;
+    std::vector<QuantilePair> quantiles;
+};
+
+/// Bins of equal width after Freedman and Diaconis, 8 to 40 of them; for values on a lattice, whole multiples of its
+/// spacing, with edges halfway between possible values. Quantiles at (k - 1/2) / m, m = 41 or the number of runs if
+/// smaller.
+/// @param lattice  spacing of possible values
+/// @return empty below 20 values, and for values that are all equal
+std::optional<ErrorShape> error_shape(std::span<const double> values, double reference, std::optional<double> lattice);
 
 }  // namespace ff::studies

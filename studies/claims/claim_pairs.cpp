@@ -2,7 +2,7 @@
 
 #include "stats/basics/quantiles.hpp"
 #include "studies/analysis/pair_spreads.hpp"
-#include "studies/diagnostics/claimed_errors.hpp"
+#include "studies/diagnostics/coverage.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,8 @@
 #include "studies/comparison/contests.hpp"
 
-#include "core/support/contract.hpp"
-#include "stats/basics/distributions.hpp"
+#include "core/exact/known_factors.hpp"
+#include "core/visibility/occlusion.hpp"
 #include "studies/comparison/ranking.hpp"
-#include "studies/comparison/rivals.hpp"
 #include "studies/run/measured_costs.hpp"
 #include "studies/trials/estimates.hpp"
 
@@ -89,9 +88,8 @@ std::vector<Contender> contenders(const Analysis& findings, const Costs& costs, 
     }
     std::vector<Contender> all;
     for (auto& [of, ladder] : ladders) {
-        std::stable_sort(ladder.begin(), ladder.end(), [&](const Rung& a, const Rung& b) {
-            return evaluations_per_trial(plan, plan.cells[a.cell]) < evaluations_per_trial(plan, plan.cells[b.cell]);
-        });
+        std::ranges::stable_sort(ladder, {},
+                                 [&](const Rung& rung) { return evaluations_per_trial(plan, plan.cells[rung.cell]); });
         // Measured times vary: a larger size takes no less than a smaller one.
         for (std::size_t i = 1; i < ladder.size(); ++i) ladder[i].cost = std::max(ladder[i].cost, ladder[i - 1].cost);
         all.push_back(std::move(ladder));
@@ -147,28 +145,22 @@ std::optional<Placed> to_error(const Contender& contender, double target) {
         add_parts(below.log_mean_square, way * stretch / fall, placed.logarithm);
         return placed;
     }
-    const bool alone = contender.size() == 1 && last.mean_square == target;
-    return alone
-               ? std::optional(Placed{{last.cell, 1, last.cost, 0}, {std::log(last.cost), last.log_mean_square.parts}})
-               : std::nullopt;
+    if (contender.size() != 1 || last.mean_square != target) return std::nullopt;
+    return Placed{{last.cell, 1, last.cost, 0}, {std::log(last.cost), last.log_mean_square.parts}};
 }
 
 /// The costs, or mean square errors, that contests are held at: those of the contender with the most sizes, and one
 /// more: the least cost that every contender can keep to, or the least error that any contender reaches.
 std::vector<double> budgets(const std::vector<Contender>& all, Equal equal) {
-    const auto longest = std::max_element(all.begin(), all.end(),
-                                          [](const Contender& a, const Contender& b) { return a.size() < b.size(); });
+    const auto longest = std::ranges::max_element(all, {}, [](const Contender& each) { return each.size(); });
+    const bool of_errors = equal == Equal::error;
     std::vector<double> budgets;
-    double for_all = equal == Equal::error ? std::numeric_limits<double>::infinity() : 0;
-    if (equal == Equal::error) {
-        for (const Rung& rung : *longest) budgets.push_back(rung.mean_square);
-        for (const Contender& each : all) for_all = std::min(for_all, each.back().mean_square);
-    } else {
-        for (const Rung& rung : *longest) budgets.push_back(rung.cost);
-        for (const Contender& each : all) for_all = std::max(for_all, each.front().cost);
-    }
+    for (const Rung& rung : *longest) budgets.push_back(of_errors ? rung.mean_square : rung.cost);
+    double for_all = of_errors ? std::numeric_limits<double>::infinity() : 0;
+    for (const Contender& each : all)
+        for_all = of_errors ? std::min(for_all, each.back().mean_square) : std::max(for_all, each.front().cost);
     budgets.push_back(for_all);
-    std::sort(budgets.begin(), budgets.end());
+    std::ranges::sort(budgets);
     budgets.erase(std::unique(budgets.begin(), budgets.end()), budgets.end());
     return budgets;
 }
@@ -221,8 +213,7 @@ class Family {
                     placed.push_back(*entrant);
             }
             if (placed.size() < 2) continue;
-            std::stable_sort(placed.begin(), placed.end(),
-                             [](const Placed& a, const Placed& b) { return a.entrant.value < b.entrant.value; });
+            std::ranges::stable_sort(placed, {}, [](const Placed& each) { return each.entrant.value; });
             pairs_ += static_cast<double>(placed.size() * (placed.size() - 1)) / 2;
             kind.budget = kind.equal == Equal::error ? std::sqrt(budget) : budget;
             contests_.push_back(kind);
@@ -276,6 +267,20 @@ class Family {
     double pairs_ = 0;  ///< number of pairs of entrants, in all contests
 };
 
+void add_contest(const StudyPlan& plan, const Contest& contest, std::map<std::size_t, Choice>& choices) {
+    std::set<std::size_t> counted;  // a method may enter with several numbers of patches: its best counts
+    for (std::size_t i = 0; i < contest.entrants.size(); ++i) {
+        const Entrant& entrant = contest.entrants[i];
+        const std::size_t method = plan.cells[entrant.cell].method;
+        if (!counted.insert(method).second) continue;
+        Choice& choice = choices[method];
+        choice.method = method;
+        ++choice.entered;
+        if (entrant.group == 0) ++choice.best;
+        choice.largest_handicap = std::max(choice.largest_handicap, entrant.value / contest.entrants.front().value);
+    }
+}
+
 }  // namespace
 
 std::vector<Contest> hold_contests(const CellReader& cells, const Analysis& findings) {
@@ -291,6 +296,48 @@ std::vector<Contest> hold_contests(const CellReader& cells, const Analysis& find
         }
     }
     return contests;
+}
+
+std::vector<const Contest*> main_contests(std::span<const Contest> contests, Equal equal) {
+    std::map<std::pair<std::size_t, PairClass>, const Contest*> chosen;
+    for (const Contest& contest : contests) {
+        if (contest.equal != equal) continue;
+        const Contest*& best = chosen[{contest.scene, contest.pair_class}];
+        const std::size_t most = best == nullptr ? 0 : best->entrants.size();
+        const bool as_many = contest.entrants.size() == most && equal != Equal::error;  // budgets ascend
+        if (contest.entrants.size() > most || as_many) best = &contest;
+    }
+    std::vector<const Contest*> result;
+    for (const auto& [of, contest] : chosen) result.push_back(contest);
+    return result;
+}
+
+bool may_be_occluded(const Scene& scene, PairClass wanted) {
+    const auto all = distinct_pairs(scene.faces.size(), Completion::direct);
+    const auto pairs = pairs_of_class(scene, known_pairs(all, known_factors(scene)), wanted);
+    return std::ranges::any_of(
+        pairs, [&](const Quantity pair) { return ff::may_be_occluded(scene, pair.from - 1, pair.to - 1); });
+}
+
+std::vector<Decision> decide(const StudyPlan& plan, std::span<const Contest> contests, Equal equal) {
+    if (plan.scenes.size() < 2) return {};
+    std::map<std::pair<PairClass, bool>, std::pair<std::size_t, std::map<std::size_t, Choice>>> kinds;
+    for (const Contest* contest : main_contests(contests, equal)) {
+        const bool occluded = may_be_occluded(plan.scenes[contest->scene], contest->pair_class);
+        auto& [scenes, choices] = kinds[{contest->pair_class, occluded}];
+        ++scenes;
+        add_contest(plan, *contest, choices);
+    }
+    std::vector<Decision> decisions;
+    for (const auto& [kind, found] : kinds) {
+        const auto& [scenes, choices] = found;
+        Decision& decision = decisions.emplace_back(Decision{kind.first, kind.second, equal, scenes, {}});
+        for (const auto& [method, choice] : choices) decision.choices.push_back(choice);
+        std::ranges::stable_sort(decision.choices, [](const Choice& a, const Choice& b) {
+            return a.best != b.best ? a.best > b.best : a.largest_handicap < b.largest_handicap;
+        });
+    }
+    return decisions;
 }
 
 }  // namespace ff::studies

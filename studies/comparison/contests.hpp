@@ -3,11 +3,12 @@
 #include "core/visibility/pair_class.hpp"
 #include "stats/basics/interval.hpp"
 #include "studies/analysis/analysis.hpp"
+#include "studies/plan/plan.hpp"
 #include "studies/readers/names.hpp"
 
 #include <cstddef>
 #include <optional>
-#include <string_view>
+#include <span>
 #include <vector>
 
 namespace ff::studies {
@@ -59,5 +60,32 @@ struct Contest {
 /// at equal processor time need measured costs. In the order of scenes, classes, what is equal, and budgets, ascending.
 /// Methods that share their random numbers (they differ in completion only) are compared trial by trial.
 std::vector<Contest> hold_contests(const CellReader& cells, const Analysis& findings);
+
+/// The most informative contest of a scene and class: among those with the most entrants, the one with the largest
+/// budget or the smallest error.
+std::vector<const Contest*> main_contests(std::span<const Contest> contests, Equal equal);
+
+/// The results of a method on all scenes of a kind.
+struct Choice {
+    std::size_t method = 0;       ///< index into StudySpec::methods
+    std::size_t entered = 0;      ///< scenes
+    std::size_t best = 0;         ///< scenes where nothing is shown to be better
+    double largest_handicap = 1;  ///< largest estimated ratio to the best entrant
+};
+
+/// Which method to take for a kind of pairs, by the main contests of a study.
+struct Decision {
+    PairClass pair_class = PairClass::other;
+    bool may_be_occluded = false;  ///< whether something may stand in between
+    Equal equal = Equal::evaluations;
+    std::size_t scenes = 0;
+    std::vector<Choice> choices;  ///< most often best first; ties by the smaller handicap
+};
+
+/// Empty where a study has one scene.
+std::vector<Decision> decide(const StudyPlan& plan, std::span<const Contest> contests, Equal equal);
+
+/// Whether something may stand between two faces of a class, among pairs with an exact value.
+bool may_be_occluded(const Scene& scene, PairClass wanted);
 
 }  // namespace ff::studies

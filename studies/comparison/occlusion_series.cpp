@@ -3,7 +3,7 @@
 #include "core/configurations/built_in_scene.hpp"
 #include "core/configurations/catalogue.hpp"
 #include "core/exact/known_factors.hpp"
-#include "studies/comparison/rivals.hpp"
+#include "studies/comparison/ranking.hpp"
 #include "studies/theory/known_variance.hpp"
 
 #include <algorithm>
@@ -65,9 +65,8 @@ class Errors {
         const auto cells = cells_of(findings_.plan, scene, method);
         if (cells.empty()) return std::nullopt;
         const double wanted = std::log(static_cast<double>(evaluations));
-        const std::size_t cell = *std::min_element(cells.begin(), cells.end(), [&](std::size_t a, std::size_t b) {
-            return std::abs(log_evaluations(findings_, a) - wanted) < std::abs(log_evaluations(findings_, b) - wanted);
-        });
+        const std::size_t cell = *std::ranges::min_element(
+            cells, {}, [&](std::size_t each) { return std::abs(log_evaluations(findings_, each) - wanted); });
         if (findings_.cells[cell].trials == 0) return std::nullopt;
         const auto loaded = cells_.load(cell);
         const CellEstimates& estimates = *loaded;
@@ -96,8 +95,8 @@ void judge_hidden_pair(const StudyPlan& plan, double alpha, HiddenPair& scene) {
         const auto& found = scene.methods[method];
         if (found && (!scene.least || found->size() < scene.methods[*scene.least]->size())) scene.least = method;
     }
-    const bool all_rounding = std::all_of(scene.methods.begin(), scene.methods.end(),
-                                          [](const auto& found) { return !found || found->size() < rounding_error; });
+    const bool all_rounding =
+        std::ranges::all_of(scene.methods, [](const auto& found) { return !found || found->size() < rounding_error; });
     if (all_rounding) scene.least.reset();
     if (!scene.least) return;
     const auto is_deterministic = [&](std::size_t method) {
@@ -151,8 +150,7 @@ std::vector<OcclusionSeries> occlusion_series(const CellReader& cells, const Ana
                     found.methods.push_back(errors.of(scene, method, series.pair, known, series.evaluations));
                 series.scenes.push_back(std::move(found));
             }
-            std::stable_sort(series.scenes.begin(), series.scenes.end(),
-                             [](const HiddenPair& a, const HiddenPair& b) { return a.hidden < b.hidden; });
+            std::ranges::stable_sort(series.scenes, {}, &HiddenPair::hidden);
             if (!series.scenes.empty()) all.push_back(std::move(series));
         }
     }

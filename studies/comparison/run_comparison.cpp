@@ -6,8 +6,7 @@
 #include "stats/error_rates/power.hpp"
 #include "stats/means/mean_test.hpp"
 #include "studies/analysis/pair_spreads.hpp"
-#include "studies/comparison/face_difference.hpp"
-#include "studies/comparison/rivals.hpp"
+#include "studies/comparison/ranking.hpp"
 
 #include <fmt/format.h>
 
@@ -108,7 +107,7 @@ std::optional<Untested> obstacle(const CellAnalysis& first, const CellAnalysis& 
     for (const auto& [status, reason] : {std::pair(VarianceStatus::undefined, Untested::not_finite),
                                          std::pair(VarianceStatus::infinite, Untested::infinite_variance),
                                          std::pair(VarianceStatus::sparse, Untested::too_few_hits)}) {
-        if (std::find(found.begin(), found.end(), status) != found.end()) return reason;
+        if (std::ranges::find(found, status) != found.end()) return reason;
     }
     return std::nullopt;
 }
@@ -167,7 +166,7 @@ void compare_trials(const Store& first, const Store& second, CellComparison& cel
         ++cell.trials;
         const auto differs = [&](const Quantity& pair) { return a.values(pair)[i] != b.values(pair)[j]; };
         const auto pairs = distinct_pairs(a.faces, Completion::direct);
-        if (std::any_of(pairs.begin(), pairs.end(), differs)) ++cell.differing;
+        if (std::ranges::any_of(pairs, differs)) ++cell.differing;
     }
     if (cell.trials > 0) cell.likeness = cell.differing > 0 ? Likeness::different : Likeness::alike;
 }
@@ -235,7 +234,7 @@ void judge_cells(const std::vector<Test>& tests, RunComparison& comparison) {
 void expect_method(const StudyPlan& plan, const std::string& method) {
     std::vector<std::string_view> names;
     for (const Method& known : plan.spec.methods) names.push_back(known.name);
-    if (std::find(names.begin(), names.end(), method) != names.end()) return;
+    if (std::ranges::find(names, method) != names.end()) return;
     throw UserError(fmt::format("method '{}' (its run has none of this name). {}There are: {}.", method,
                                 did_you_mean(method, names), fmt::join(names, ", ")));
 }
@@ -249,8 +248,7 @@ std::string scenes_of(const StudyPlan& plan) {
 }  // namespace
 
 std::size_t RunComparison::count(Likeness likeness) const {
-    return static_cast<std::size_t>(
-        std::count_if(cells.begin(), cells.end(), [&](const auto& cell) { return cell.likeness == likeness; }));
+    return static_cast<std::size_t>(std::ranges::count(cells, likeness, &CellComparison::likeness));
 }
 
 Lead RunComparison::lead() const {

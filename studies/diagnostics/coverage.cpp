@@ -3,15 +3,17 @@
 #include "core/exact/known_factors.hpp"
 #include "stats/basics/binomial.hpp"
 #include "stats/basics/distributions.hpp"
+#include "stats/basics/quantiles.hpp"
 #include "stats/error_rates/multiplicity.hpp"
 #include "stats/means/mean_interval.hpp"
 #include "studies/analysis/class_error.hpp"
-#include "studies/trials/estimates.hpp"
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace ff::studies {
 namespace {
@@ -86,24 +88,14 @@ class CellTrials {
     CellTrials(const CellReader& cells, std::size_t cell, const KnownFactors& known)
         : plan_(cells.plan()), cell_(cell), known_(known), estimates_(cells.load(cell)) {}
 
-    [[nodiscard]] const StudySpec& spec() const { return plan_.spec; }
-
-    /// From each source face the first target of the class.
-    [[nodiscard]] std::vector<Quantity> independent_pairs(PairClass wanted) const {
-        std::vector<Quantity> found;
-        for (const Quantity pair : known_pairs_of_class(plan_, plan_.cells[cell_], known_, wanted)) {
-            if (found.empty() || found.back().from != pair.from) found.push_back(pair);
-        }
-        return found;
-    }
-
     [[nodiscard]] Coverage coverage(PairClass wanted, IntervalRule rule, std::uint64_t replicates) const {
-        Coverage row;
-        row.cell = cell_;
-        row.pair_class = wanted;
-        row.interval_method = rule;
-        row.replicates = replicates;
-        for (const Quantity pair : independent_pairs(wanted)) count(pair, row);
+        Coverage row{.cell = cell_, .pair_class = wanted, .interval_method = rule, .replicates = replicates};
+        int source = 0;
+        for (const Quantity pair : known_pairs_of_class(plan_, plan_.cells[cell_], known_, wanted)) {
+            if (pair.from == source) continue;  // only the first target of the class from each source face
+            source = pair.from;
+            count(pair, row);
+        }
         if (row.intervals == 0) return row;
         row.mean_trials /= static_cast<double>(row.intervals);
         row.coverage_interval = stats::clopper_pearson_interval({row.covered, row.intervals}, plan_.spec.level);
@@ -144,15 +136,89 @@ class CellTrials {
     std::shared_ptr<const CellEstimates> estimates_;
 };
 
-void add_rows(const CellTrials& trials, std::vector<Coverage>& rows) {
-    for (const PairClass wanted : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
-        for (const auto& rule : names_of<IntervalRule>) {
-            for (const std::uint64_t replicates : trials.spec().coverage) {
-                Coverage row = trials.coverage(wanted, rule.value, replicates);
-                if (row.intervals > 0) rows.push_back(row);
-            }
-        }
+/// The sources of claims about a cell.
+std::vector<Claimant> claimants(const Store& store, std::size_t cell) {
+    const Method& method = store.plan().spec.methods[store.plan().cells[cell].method];
+    std::vector<Claimant> found;
+    if (store.has(cell, observable::claim)) found.push_back(Claimant::estimator);
+    if (method.claimed_error) found.push_back(Claimant::study);
+    const bool shoots = estimator_info(method).observes == Observes::hits;
+    if (shoots && is_randomised(method)) found.push_back(Claimant::one_run);
+    return found;
+}
+
+/// The share of claims that has to hold.
+double promised(const StudyPlan& plan, std::size_t cell, Claimant claimant) {
+    if (claimant == Claimant::one_run) return plan.spec.level;
+    return plan.spec.methods[plan.cells[cell].method].claimed_level.value_or(1);
+}
+
+/// The errors claimed for a pair, by trial.
+std::vector<double> claims_on(const Store& store, const CellEstimates& estimates, Quantity pair, Claimant claimant) {
+    const StudyPlan& plan = store.plan();
+    const auto& values = estimates.values(pair);
+    if (claimant == Claimant::estimator)
+        return store.series(estimates.cell, observable::claim, pair.from, pair.to).value;
+    if (claimant == Claimant::study)
+        return std::vector(values.size(), *plan.spec.methods[plan.cells[estimates.cell].method].claimed_error);
+    std::vector<double> claims;
+    const double quantile = stats::normal_critical((1 - plan.spec.level) / 2);
+    const auto index =
+        static_cast<std::size_t>(pair.from - 1) * estimates.faces + static_cast<std::size_t>(pair.to - 1);
+    for (const double value : values)
+        claims.push_back(quantile * std::sqrt(std::max(0.0, value * (1 - value)) / estimates.rays[index]));
+    return claims;
+}
+
+/// How often claims hold on one pair.
+struct PairClaims {
+    std::uint64_t held = 0;
+    std::vector<double> ratios;  ///< [trial]: |error| / claim
+};
+
+PairClaims compare(const std::vector<double>& values, const std::vector<double>& claims, double exact) {
+    PairClaims found;
+    for (std::size_t trial = 0; trial < values.size(); ++trial) {
+        const double error = std::abs(values[trial] - exact);
+        if (error <= std::max(claims[trial], rounding_error)) ++found.held;
+        const double ratio = claims[trial] > 0 ? error / claims[trial] : std::numeric_limits<double>::infinity();
+        found.ratios.push_back(error <= rounding_error ? 0 : ratio);
     }
+    return found;
+}
+
+std::optional<ClaimedErrors> judge(const Store& store, const CellEstimates& estimates, const KnownFactors& known,
+                                   PairClass pair_class, Claimant claimant) {
+    const StudyPlan& plan = store.plan();
+    const auto pairs = known_pairs_of_class(plan, plan.cells[estimates.cell], known, pair_class);
+    if (pairs.empty() || estimates.trials() == 0) return std::nullopt;
+    const double level = plan.spec.level;
+    ClaimedErrors found{.cell = estimates.cell,
+                        .pair_class = pair_class,
+                        .claimant = claimant,
+                        .promised = promised(plan, estimates.cell, claimant)};
+    std::vector<double> ratios;
+    std::uint64_t fewest = std::numeric_limits<std::uint64_t>::max();
+    for (const Quantity pair : pairs) {
+        const auto claims = claims_on(store, estimates, pair, claimant);
+        if (claims.size() != estimates.trials()) return std::nullopt;  // a program claims nothing in some of its runs
+        const auto of_pair = compare(estimates.values(pair), claims, known.at(pair.from - 1, pair.to - 1).value());
+        found.claims += of_pair.ratios.size();
+        found.held += of_pair.held;
+        ratios.insert(ratios.end(), of_pair.ratios.begin(), of_pair.ratios.end());
+        if (of_pair.held >= fewest) continue;
+        fewest = of_pair.held;
+        found.worst_pair = pair;
+    }
+    found.worst_held = fewest;
+    found.worst_share_interval = stats::clopper_pearson_interval({fewest, estimates.trials()},
+                                                                 1 - (1 - level) / static_cast<double>(pairs.size()));
+    found.median_ratio = *stats::median_absolute_error(ratios, 0);
+    found.largest_ratio = *std::ranges::max_element(ratios);
+    const bool wrong =
+        found.promised < 1 ? found.worst_share_interval.high < found.promised : found.held < found.claims;
+    found.finding = wrong ? ClaimedErrorFinding::fails : ClaimedErrorFinding::holds;
+    return found;
 }
 
 }  // namespace
@@ -164,13 +230,40 @@ std::vector<Coverage> measure_coverage(const CellReader& cells) {
     for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) {
         if (plan.cells[cell].deterministic) continue;
         const KnownFactors known = known_factors(plan.scenes[plan.cells[cell].scene]);
-        add_rows(CellTrials(cells, cell, known), rows);
+        const CellTrials trials(cells, cell, known);
+        for (const PairClass wanted : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+            for (const auto& rule : names_of<IntervalRule>) {
+                for (const std::uint64_t replicates : plan.spec.coverage) {
+                    const Coverage row = trials.coverage(wanted, rule.value, replicates);
+                    if (row.intervals > 0) rows.push_back(row);
+                }
+            }
+        }
     }
     if (rows.empty()) return rows;
     const double alpha = stats::sidak_level(1 - plan.spec.level, rows.size());
     for (Coverage& row : rows)
         row.short_of_nominal = stats::binomial_lower_p({row.covered, row.intervals}, plan.spec.level) < alpha;
     return rows;
+}
+
+std::vector<ClaimedErrors> judge_claimed_errors(const CellReader& cells) {
+    const StudyPlan& plan = cells.plan();
+    std::vector<ClaimedErrors> all;
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+        const auto claiming = claimants(cells.store(), i);
+        if (claiming.empty()) continue;
+        const auto loaded = cells.load(i);
+        const CellEstimates& estimates = *loaded;
+        const KnownFactors known = known_factors(plan.scenes[plan.cells[i].scene]);
+        for (const Claimant claimant : claiming) {
+            if (claimant == Claimant::one_run && estimates.rays.empty()) continue;
+            for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+                if (auto found = judge(cells.store(), estimates, known, pair_class, claimant)) all.push_back(*found);
+            }
+        }
+    }
+    return all;
 }
 
 }  // namespace ff::studies

@@ -6,11 +6,9 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <map>
 #include <optional>
 #include <tuple>
-#include <utility>
 
 namespace ff::studies {
 namespace {
@@ -60,7 +58,7 @@ std::map<Setting, std::map<std::uint64_t, std::vector<std::size_t>>> groups_of(c
             plan.cells[i].samples_per_patch > most_points)
             continue;
         auto& cells = groups[setting_of(plan, plan.cells[i])][plan.cells[i].samples_per_patch];
-        const bool is_new = std::none_of(cells.begin(), cells.end(), [&](std::size_t other) {
+        const bool is_new = std::ranges::none_of(cells, [&](std::size_t other) {
             return plan.spec.methods[plan.cells[other].method].sampler == method.sampler;
         });
         if (is_new) cells.push_back(i);
@@ -114,8 +112,8 @@ std::vector<Evenness> compare_evenness_with_errors(const Analysis& findings) {
                                           [](const auto& size) { return size.second.size() >= stats::fewest_ranked; });
         if (largest == sizes.rend()) continue;
         for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
-            auto found = comparison.compare(largest->second, pair_class);
-            std::move(found.begin(), found.end(), std::back_inserter(all));
+            const auto found = comparison.compare(largest->second, pair_class);
+            all.insert(all.end(), found.begin(), found.end());
         }
     }
     return all;

@@ -5,8 +5,6 @@
 #include "studies/analysis/analysis.hpp"
 
 #include <cstddef>
-#include <cstdint>
-#include <string>
 #include <string_view>
 #include <vector>
 

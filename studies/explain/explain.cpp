@@ -1,7 +1,7 @@
 #include "studies/explain/explain.hpp"
 
-#include "core/configurations/catalogue.hpp"
 #include "core/configurations/built_in_scene.hpp"
+#include "core/configurations/catalogue.hpp"
 #include "core/estimators/estimator.hpp"
 #include "core/exact/known_factors.hpp"
 #include "core/visibility/facing.hpp"

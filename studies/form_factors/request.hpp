@@ -3,7 +3,7 @@
 #include "core/points/stream.hpp"
 #include "core/tracing/tracer.hpp"
 #include "studies/form_factors/sampled_row.hpp"
-#include "studies/plan/shard.hpp"
+#include "studies/run/parallel.hpp"
 
 #include <atomic>
 #include <cstddef>

@@ -23,9 +23,7 @@ std::vector<Ladder> ladders_of(const StudyPlan& plan, std::size_t scene, std::si
     const std::string& name = plan.spec.methods[method].name;
     for (auto& [fixed, cells] : by_fixed) {
         if (cells.size() < fewest_sizes) continue;
-        std::sort(cells.begin(), cells.end(), [&](std::size_t a, std::size_t b) {
-            return evaluations_per_trial(plan, plan.cells[a]) < evaluations_per_trial(plan, plan.cells[b]);
-        });
+        std::ranges::sort(cells, {}, [&](std::size_t cell) { return evaluations_per_trial(plan, plan.cells[cell]); });
         ladders.push_back({scene, method, growth,
                            fmt::format("{} ({} {})", name, fixed, growth == Growth::samples ? "patches" : "points"),
                            cells});

@@ -1,7 +1,7 @@
 #include "studies/radiosity/cost.hpp"
 
 #include "core/radiosity/patch_factors.hpp"
-#include "studies/plan/patch_systems.hpp"
+#include "studies/plan/plan.hpp"
 #include "studies/radiosity/systems.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "core/points/stream.hpp"
 #include "core/radiosity/enclosures.hpp"
 #include "studies/radiosity/consequences.hpp"
-#include "studies/spec/request.hpp"
+#include "studies/spec/sections.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "core/radiosity/repair.hpp"
 #include "core/radiosity/solver.hpp"
-#include "studies/plan/patch_systems.hpp"
+#include "studies/plan/plan.hpp"
 #include "studies/trials/estimates.hpp"
 
 #include <Eigen/Core>

@@ -11,7 +11,6 @@
 #include "studies/store/store.hpp"
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 namespace ff::studies {
@@ -113,9 +112,9 @@ double seconds_of_patches(const StudyPlan& plan) {
         const Scene& scene = plan.scenes[cell.scene];
         const std::uint64_t patches = cell.subdivision.patches(scene);
         if (patch_sums(plan, cell) == 0 || patches == scene.surfaces.size()) continue;
-        const bool has_exact = std::all_of(scene.surfaces.begin(), scene.surfaces.end(),
-                                           [](const Surface& s) { return aligned_rectangle(s).has_value(); }) &&
-                               !may_be_occluded(scene);
+        const bool has_exact =
+            std::ranges::all_of(scene.surfaces, [](const Surface& s) { return aligned_rectangle(s).has_value(); }) &&
+            !may_be_occluded(scene);
         if (has_exact) factors += static_cast<double>(patches) * static_cast<double>(scene.surfaces.size());
     }
     return factors * seconds_of_a_patch_factor;

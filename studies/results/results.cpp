@@ -6,9 +6,8 @@ namespace ff::studies {
 namespace {
 
 bool all_finite(const Analysis& findings) {
-    return std::all_of(findings.cells.begin(), findings.cells.end(), [](const CellAnalysis& cell) {
-        return std::all_of(cell.summaries.begin(), cell.summaries.end(),
-                           [](const Summary& summary) { return summary.not_finite == 0; });
+    return std::ranges::all_of(findings.cells, [](const CellAnalysis& cell) {
+        return std::ranges::all_of(cell.summaries, [](const Summary& summary) { return summary.not_finite == 0; });
     });
 }
 

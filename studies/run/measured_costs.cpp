@@ -75,7 +75,7 @@ std::vector<std::optional<MeasuredCost>> measured_costs(const StudyPlan& plan, c
     const auto found = context.find(std::string(costs_key));
     std::istringstream entries(found == context.end() ? std::string() : found->second);
     for (std::string entry; entries >> entry;) {
-        std::replace(entry.begin(), entry.end(), ':', ' ');
+        std::ranges::replace(entry, ':', ' ');
         std::istringstream parts(entry);
         std::string key;
         MeasuredCost cost;

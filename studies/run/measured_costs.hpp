@@ -5,7 +5,6 @@
 #include "studies/store/store.hpp"
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>

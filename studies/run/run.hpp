@@ -1,7 +1,7 @@
 #pragma once
 
 #include "studies/plan/plan.hpp"
-#include "studies/plan/shard.hpp"
+#include "studies/run/parallel.hpp"
 #include "studies/store/store.hpp"
 
 #include <atomic>

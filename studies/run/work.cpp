@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <bit>
 #include <map>
-#include <memory>
 #include <string_view>
 #include <tuple>
 #include <utility>

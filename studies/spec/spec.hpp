@@ -4,8 +4,7 @@
 #include "core/points/stream.hpp"
 #include "studies/readers/names.hpp"
 #include "studies/scene_files/scene_file.hpp"
-#include "studies/spec/request.hpp"
-#include "studies/spec/stopping_rule.hpp"
+#include "studies/spec/sections.hpp"
 
 #include <cstdint>
 #include <filesystem>

@@ -37,9 +37,8 @@ std::vector<Entry> entries_of(std::string_view text) {
 }
 
 const Entry* find_entry(const std::vector<Entry>& entries, const Entry& wanted) {
-    const auto found = std::find_if(entries.begin(), entries.end(), [&](const Entry& entry) {
-        return entry.section == wanted.section && entry.key == wanted.key;
-    });
+    const auto found = std::ranges::find_if(
+        entries, [&](const Entry& entry) { return entry.section == wanted.section && entry.key == wanted.key; });
     return found == entries.end() ? nullptr : &*found;
 }
 
@@ -100,8 +99,7 @@ std::vector<SpecDifference> differences_of(const StudySpec& first, const StudySp
     std::vector<SpecDifference> out;
     compare("study", without_sizes(first, {}), without_sizes(second, {}), out);
     for (const Method& method : first.methods) {
-        const auto other = std::find_if(second.methods.begin(), second.methods.end(),
-                                        [&](const Method& each) { return each.name == method.name; });
+        const auto other = std::ranges::find(second.methods, method.name, &Method::name);
         if (other != second.methods.end())
             compare(method.name, without_sizes({}, {method}), without_sizes({}, {*other}), out);
     }
@@ -117,6 +115,31 @@ std::string first_difference(std::string_view stored, std::string_view wanted) {
     if (differing > 1) first += fmt::format(", and in {} more key{}", differing - 1, differing == 2 ? "" : "s");
     if (differing == 0 && stored != wanted) first = "the order of its methods";
     return first;
+}
+
+std::string difference_of_faces(const Scene& a, const Scene& b) {
+    if (a.canonical == b.canonical) return {};
+    if (a.faces.size() != b.faces.size())
+        return fmt::format("{} in the first and {} in the second", a.faces.size(), b.faces.size());
+    const auto names = std::mismatch(a.faces.begin(), a.faces.end(), b.faces.begin());
+    if (names.first != a.faces.end())
+        return fmt::format("number {} is '{}' in the first and '{}' in the second", names.first - a.faces.begin() + 1,
+                           *names.first, *names.second);
+    const auto faces_of = [](const Scene& scene) {
+        std::vector<std::pair<int, Shape>> shapes;
+        for (const Surface& surface : scene.surfaces) {
+            if (surface.face >= 0) shapes.emplace_back(surface.face, surface.shape);
+        }
+        std::ranges::stable_sort(shapes, {}, &std::pair<int, Shape>::first);
+        return shapes;
+    };
+    const auto in_a = faces_of(a);
+    const auto in_b = faces_of(b);
+    const auto shapes = std::mismatch(in_a.begin(), in_a.end(), in_b.begin(), in_b.end());
+    if (shapes.first == in_a.end() && shapes.second == in_b.end()) return {};
+    const int face = std::min(shapes.first == in_a.end() ? shapes.second->first : shapes.first->first,
+                              shapes.second == in_b.end() ? shapes.first->first : shapes.second->first);
+    return fmt::format("'{}' has another place or shape, or other surfaces", a.faces[static_cast<std::size_t>(face)]);
 }
 
 }  // namespace ff::studies

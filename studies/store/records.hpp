@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -41,5 +42,11 @@ struct UnitRecord {
 
 /// The circumstances of a run: host, compiler, dates. Not covered by the promise of repeatability.
 using Context = std::map<std::string, std::string>;
+
+/// A record as 64-bit words, for sending to another process of the same program.
+std::vector<std::uint64_t> to_words(const UnitRecord& record);
+
+/// The record from which `to_words` made these. @pre they are unchanged (contract)
+UnitRecord from_words(std::span<const std::uint64_t> words);
 
 }  // namespace ff::studies

@@ -89,13 +89,6 @@ std::string difference_from(const Database& database, const StudySpec& wanted) {
     return same_tables ? "" : "the published tables";
 }
 
-void expect_same_study(const Database& database, const std::filesystem::path& file, const StudySpec& wanted) {
-    const std::string difference = difference_from(database, wanted);
-    if (difference.empty()) return;
-    throw UserError(fmt::format("{}: holds another study (differs in {}). Choose another --out, or remove the folder.",
-                                file.string(), difference));
-}
-
 /// No row of a unit that was not saved is in the way.
 void insert_observations(const Database& database, std::size_t cell, const std::vector<Observation>& observations) {
     Statement insert(database.handle(), "INSERT OR REPLACE INTO observations VALUES(?, ?, ?, ?, ?, ?)");
@@ -121,8 +114,7 @@ void create(Database& database, const StudyPlan& plan) {
         write_meta(database, "study", to_toml(plan.spec));
         write_meta(database, "published", plan.spec.published ? plan.spec.published->text : "");
         write_cells(database, plan);
-        write_added_samplers(database, plan.spec);
-        write_added_estimators(database, plan.spec);
+        write_outside_code(database, plan.spec);
         write_meta(database, "checksum", checksum_of_study(database));
         write_context(database, {});
     }
@@ -186,8 +178,7 @@ Store Store::create_or_resume(const std::filesystem::path& file, const StudyPlan
 Store Store::open(const std::filesystem::path& file) {
     auto database = open_store(file, result_store_format);
     const Checksums checksums = look_at(*database, file);
-    restore_added_samplers(*database);
-    restore_added_estimators(*database);
+    restore_outside_code(*database);
     StudySpec spec = parse_study(read_meta(*database, "study").value_or(""), file.string() + " (stored study)");
     if (spec.published) spec.published->text = read_meta(*database, "published").value_or("");
     StudyPlan plan = plan_study(std::move(spec));
@@ -244,7 +235,7 @@ std::vector<bool> Store::finished_units() const {
 
 bool Store::is_complete() const {
     const auto finished = finished_units();
-    return std::find(finished.begin(), finished.end(), false) == finished.end();
+    return std::ranges::find(finished, false) == finished.end();
 }
 
 std::vector<std::uint64_t> Store::saved_trial_numbers(std::size_t cell) const {
@@ -297,8 +288,11 @@ std::string difference_of_study(const std::filesystem::path& file, const StudySp
     return difference_from(database, wanted);
 }
 
-void expect_same_study(const Store& store, const std::filesystem::path& file, const StudySpec& wanted) {
-    expect_same_study(store.database(), file, wanted);
+void expect_same_study(const Database& database, const std::filesystem::path& file, const StudySpec& wanted) {
+    const std::string difference = difference_from(database, wanted);
+    if (difference.empty()) return;
+    throw UserError(fmt::format("{}: holds another study (differs in {}). Choose another --out, or remove the folder.",
+                                file.string(), difference));
 }
 
 }  // namespace ff::studies

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "studies/plan/plan.hpp"
-#include "studies/store/journal.hpp"
 #include "studies/store/records.hpp"
 #include "studies/store/sqlite.hpp"
 
@@ -78,6 +77,6 @@ class Store {
 std::string difference_of_study(const std::filesystem::path& file, const StudySpec& wanted);
 
 /// @throws UserError unless the store, read from `file`, is of this study, with what differs
-void expect_same_study(const Store& store, const std::filesystem::path& file, const StudySpec& wanted);
+void expect_same_study(const Database& database, const std::filesystem::path& file, const StudySpec& wanted);
 
 }  // namespace ff::studies

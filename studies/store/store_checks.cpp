@@ -127,8 +127,7 @@ class Rows {
         const std::int64_t from = row.integer(2);
         const std::int64_t to = row.integer(3);
         const auto faces = static_cast<std::int64_t>(plan_.scenes[plan_.cells[cell].scene].faces.size());
-        const bool known =
-            std::find(observable::all.begin(), observable::all.end(), observable) != observable::all.end();
+        const bool known = std::ranges::find(observable::all, observable) != observable::all.end();
         if (!known || from < 1 || from > faces || to < 0 || to > faces) refuse("no such name or face");
         const Digest digest = digest_of(observable, from, to, trial);
         SavedUnit& unit = units_[*index];

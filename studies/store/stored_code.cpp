@@ -54,6 +54,13 @@ void write_declaration(Database& database, const samplers::SamplerInfo& info) {
         .run();
 }
 
+void write_declaration(Database& database, const EstimatorInfo& info) {
+    database.execute(outside_estimators_table);
+    Statement(database.handle(), "INSERT OR IGNORE INTO outside_estimators VALUES(?, ?, ?, ?, ?)")
+        .with(info.name, info.summary, info.details, info.own_points, info.randomised)
+        .run();
+}
+
 void restore_files(const Database& database) {
     std::map<std::string, samplers::AddedSampler::Content> contents;
     Statement rows(database.handle(), "SELECT sampler, file, bytes, content FROM point_files ORDER BY sampler, part");
@@ -89,44 +96,36 @@ void restore_declarations(const Database& database) {
     }
 }
 
-}  // namespace
-
-void write_added_samplers(Database& database, const StudySpec& spec) {
-    for (const Method& method : spec.methods) {
-        const auto* const added = samplers::find_added(method.sampler);
-        if (added == nullptr) continue;
-        if (added->content().empty())
-            write_declaration(database, added->entry().info);
-        else
-            write_file(database, *added);
-    }
-}
-
-void restore_added_samplers(const Database& database) {
-    if (database.has_table("point_files")) restore_files(database);
-    if (database.has_table("outside_samplers")) restore_declarations(database);
-}
-
-void write_added_estimators(Database& database, const StudySpec& spec) {
-    for (const Method& method : spec.methods) {
-        const auto* const added = find_added_estimator(method.estimator);
-        if (added == nullptr) continue;
-        const EstimatorInfo& info = added->entry().info;
-        database.execute(outside_estimators_table);
-        Statement(database.handle(), "INSERT OR IGNORE INTO outside_estimators VALUES(?, ?, ?, ?, ?)")
-            .with(info.name, info.summary, info.details, info.own_points, info.randomised)
-            .run();
-    }
-}
-
-void restore_added_estimators(const Database& database) {
-    if (!database.has_table("outside_estimators")) return;
+void restore_estimators(const Database& database) {
     Statement rows(database.handle(), "SELECT estimator, summary, details, sizes, randomised FROM outside_estimators");
     while (rows.step()) {
         add(std::make_unique<AddedEstimator>(AddedEstimator::Texts{rows.text(0), rows.text(1), rows.text(2)},
                                              program_traits(rows.integer(3) != 0, rows.integer(4) != 0), nullptr,
                                              nullptr));
     }
+}
+
+}  // namespace
+
+void write_outside_code(Database& database, const StudySpec& spec) {
+    for (const Method& method : spec.methods) {
+        const auto* const sampler = samplers::find_added(method.sampler);
+        if (sampler == nullptr) continue;
+        if (sampler->content().empty())
+            write_declaration(database, sampler->entry().info);
+        else
+            write_file(database, *sampler);
+    }
+    for (const Method& method : spec.methods) {
+        if (const auto* const estimator = find_added_estimator(method.estimator))
+            write_declaration(database, estimator->entry().info);
+    }
+}
+
+void restore_outside_code(const Database& database) {
+    if (database.has_table("point_files")) restore_files(database);
+    if (database.has_table("outside_samplers")) restore_declarations(database);
+    if (database.has_table("outside_estimators")) restore_estimators(database);
 }
 
 }  // namespace ff::studies

@@ -10,37 +10,22 @@ namespace {
 using samplers::Spread;
 
 std::optional<ExpectedRate> rate_of_grid(Integrand integrand, double dimension) {
-    switch (integrand) {
-        case Integrand::jumping:
-            return ExpectedRate{
-                .rate = -0.5 - 0.5 / dimension, .source = "heowen2016", .because = "jittered points, jumps"};
-        case Integrand::smooth:
-            return ExpectedRate{
-                .rate = -0.5 - 1 / dimension, .source = "heowen2016", .because = "jittered points, Lipschitz"};
-        case Integrand::rough:
-        case Integrand::unbounded:
-            break;
-    }
-    return std::nullopt;
+    if (integrand == Integrand::jumping)
+        return ExpectedRate{
+            .rate = -0.5 - 0.5 / dimension, .source = "heowen2016", .because = "jittered points, jumps"};
+    if (integrand != Integrand::smooth) return std::nullopt;
+    return ExpectedRate{.rate = -0.5 - 1 / dimension, .source = "heowen2016", .because = "jittered points, Lipschitz"};
 }
 
 std::optional<ExpectedRate> rate_of_net(Integrand integrand, double dimension) {
-    switch (integrand) {
-        case Integrand::jumping:
-            return ExpectedRate{.rate = -0.5 - 1 / (4 * dimension - 2),
-                                .at_least = true,
-                                .source = "hewang2015",
-                                .because = "scrambled net, jumps"};
-        case Integrand::smooth:
-            return ExpectedRate{.rate = -1.5,
-                                .log_power = (dimension - 1) / 2,
-                                .source = "owen1997b",
-                                .because = "scrambled net, smooth"};
-        case Integrand::rough:
-        case Integrand::unbounded:
-            break;
-    }
-    return std::nullopt;
+    if (integrand == Integrand::jumping)
+        return ExpectedRate{.rate = -0.5 - 1 / (4 * dimension - 2),
+                            .at_least = true,
+                            .source = "hewang2015",
+                            .because = "scrambled net, jumps"};
+    if (integrand != Integrand::smooth) return std::nullopt;
+    return ExpectedRate{
+        .rate = -1.5, .log_power = (dimension - 1) / 2, .source = "owen1997b", .because = "scrambled net, smooth"};
 }
 
 /// The rate of every unbiased rule with finite variance whose parts are independent of each other.

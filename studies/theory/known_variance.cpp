@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace ff::studies {
 namespace {
@@ -26,22 +25,6 @@ bool has_infinite_term(const Method& method, const Scene& scene, int from, int t
 
 /// Hits of all trials together from which Student's t holds for their mean: below, its tails are too heavy.
 constexpr double least_hits = 30;
-
-}  // namespace
-
-VarianceStatus known_variance(const Method& method, const Scene& scene, Quantity quantity) {
-    if (!is_randomised(method)) return VarianceStatus::none;
-    return has_infinite_term(method, scene, quantity.from, quantity.to) ? VarianceStatus::infinite
-                                                                        : VarianceStatus::finite;
-}
-
-bool too_few_hits(std::optional<double> lattice, std::optional<double> reference, std::size_t trials) {
-    if (!lattice || !reference || *reference == 1.0) return false;
-    const double rays = static_cast<double>(trials) / *lattice;
-    return std::min(*reference, std::abs(1.0 - *reference)) * rays < least_hits;
-}
-
-namespace {
 
 /// Independent evaluations among those of a trial; 1 where they are not independent of each other.
 double independent_parts(const Method& method, std::uint64_t evaluations) {
@@ -71,6 +54,18 @@ const Surface* only_surface(const Scene& scene, int face) {
 }
 
 }  // namespace
+
+VarianceStatus known_variance(const Method& method, const Scene& scene, Quantity quantity) {
+    if (!is_randomised(method)) return VarianceStatus::none;
+    return has_infinite_term(method, scene, quantity.from, quantity.to) ? VarianceStatus::infinite
+                                                                        : VarianceStatus::finite;
+}
+
+bool too_few_hits(std::optional<double> lattice, std::optional<double> reference, std::size_t trials) {
+    if (!lattice || !reference || *reference == 1.0) return false;
+    const double rays = static_cast<double>(trials) / *lattice;
+    return std::min(*reference, std::abs(1.0 - *reference)) * rays < least_hits;
+}
 
 stats::KnownLimits known_limits(const Method& method, const Scene& scene, Subdivision subdivision, Quantity quantity,
                                 std::uint64_t evaluations, std::size_t trials) {

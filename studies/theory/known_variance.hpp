@@ -3,13 +3,24 @@
 #include "core/geometry/scene.hpp"
 #include "stats/means/mean_test.hpp"
 #include "studies/spec/spec.hpp"
-#include "studies/theory/quantity.hpp"
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 
 namespace ff::studies {
+
+/// The kind of quantity in a row of results.
+enum class QuantityKind { form_factor, row_sum, sum_relative_error };
+
+/// A quantity with one value per trial of a cell. Faces count from 1; 0 for none.
+struct Quantity {
+    QuantityKind kind = QuantityKind::form_factor;
+    int from = 0;
+    int to = 0;
+    auto operator<=>(const Quantity&) const = default;
+};
 
 /// Whether the estimates of a quantity have a variance, known from theory.
 enum class VarianceStatus {

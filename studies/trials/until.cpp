@@ -1,6 +1,7 @@
 #include "studies/trials/until.hpp"
 
 #include "core/exact/known_factors.hpp"
+#include "stats/means/mean_interval.hpp"
 #include "studies/theory/known_variance.hpp"
 
 #include <algorithm>
@@ -49,7 +50,7 @@ double achieved_by(const StoppingRule& rule, stats::Pilot pilot, double level, s
 
 bool pilot_is_saved(const Store& store, std::size_t cell, const std::vector<bool>& finished) {
     const auto& units = store.plan().units;
-    return std::all_of(units.begin(), units.end(), [&](const WorkUnit& unit) {
+    return std::ranges::all_of(units, [&](const WorkUnit& unit) {
         return unit.cell != cell || unit.first_trial >= store.plan().spec.until->pilot || finished[unit.index];
     });
 }
@@ -117,8 +118,8 @@ bool is_adaptively_complete(const Store& store) {
 }
 
 bool all_reached(std::span<const UntilOutcome> outcomes) {
-    return std::all_of(outcomes.begin(), outcomes.end(),
-                       [](const UntilOutcome& outcome) { return outcome.finding == UntilFinding::reached; });
+    return std::ranges::all_of(outcomes,
+                               [](const UntilOutcome& outcome) { return outcome.finding == UntilFinding::reached; });
 }
 
 std::vector<UntilOutcome> until_outcomes(const Store& store) {
@@ -128,10 +129,8 @@ std::vector<UntilOutcome> until_outcomes(const Store& store) {
     for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) {
         if (plan.cells[cell].deterministic) continue;
         const auto pairs = pilots(store, cell);
-        UntilOutcome outcome;
-        outcome.cell = cell;
-        outcome.trials = store.saved_trials(cell);
-        outcome.wanted = wanted_trials(plan.spec, pairs);
+        UntilOutcome outcome{
+            .cell = cell, .trials = store.saved_trials(cell), .wanted = wanted_trials(plan.spec, pairs)};
         for (const PairPilot& pair : pairs) {
             if (!pair.pilot) {
                 ++outcome.unjudged;

@@ -32,8 +32,8 @@ struct UntilOutcome {
     std::size_t cell = 0;
     std::uint64_t trials = 0;  ///< number of trials that were run
     std::uint64_t wanted = 0;  ///< trials required by the rule, on the pairs that it can judge; 0 where there are none
-    std::optional<double> achieved;  ///< rmse or half-width on the worst of these pairs
-    std::size_t unjudged = 0;        ///< pairs that the rule cannot judge
+    std::optional<double> achieved = {};  ///< rmse or half-width on the worst of these pairs
+    std::size_t unjudged = 0;             ///< pairs that the rule cannot judge
     UntilFinding finding = UntilFinding::reached;
 };
 

@@ -2,7 +2,7 @@
 
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
-#include "studies/comparison/rivals.hpp"
+#include "studies/comparison/ranking.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studies/theory/quantity.hpp"
+#include "studies/theory/known_variance.hpp"
 
 namespace ff::test {
 

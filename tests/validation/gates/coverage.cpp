@@ -5,8 +5,8 @@
 #include "stats/goodness_of_fit/anderson_darling.hpp"
 #include "stats/means/mean_interval.hpp"
 #include "stats/variances/variance_interval.hpp"
-#include "studies/comparison/rivals.hpp"
-#include "studies/diagnostics/variance_reduction.hpp"
+#include "studies/comparison/ranking.hpp"
+#include "studies/diagnostics/variances.hpp"
 #include "studies/verdicts/measurement.hpp"
 #include "tests/support/kolmogorov.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/exact/exact.hpp"
-#include "core/radiosity/system.hpp"
 #include "core/radiosity/solver.hpp"
+#include "core/radiosity/system.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "studies/analysis/error_shape.hpp"
+#include "studies/analysis/summary.hpp"
 
 #include "stats/basics/distributions.hpp"
 

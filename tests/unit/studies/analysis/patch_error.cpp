@@ -1,7 +1,6 @@
-#include "studies/analysis/patch_error.hpp"
+#include "studies/analysis/analysis.hpp"
 
 #include "core/exact/exact.hpp"
-#include "studies/analysis/analysis.hpp"
 #include "tests/support/studies.hpp"
 
 #include <fmt/format.h>

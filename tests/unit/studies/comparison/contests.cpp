@@ -1,6 +1,5 @@
 #include "studies/comparison/contests.hpp"
 
-#include "studies/comparison/decisions.hpp"
 #include "studies/run/measured_costs.hpp"
 #include "tests/support/box_faces.hpp"
 #include "tests/support/studies.hpp"

@@ -1,4 +1,4 @@
-#include "studies/comparison/rivals.hpp"
+#include "studies/comparison/ranking.hpp"
 
 #include "studies/results/results.hpp"
 #include "tests/support/studies.hpp"

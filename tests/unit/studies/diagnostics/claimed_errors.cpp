@@ -1,4 +1,4 @@
-#include "studies/diagnostics/claimed_errors.hpp"
+#include "studies/diagnostics/coverage.hpp"
 
 #include "tests/support/box_faces.hpp"
 #include "tests/support/studies.hpp"

@@ -1,7 +1,7 @@
 #include "studies/diagnostics/coverage.hpp"
 
 #include "core/exact/exact.hpp"
-#include "studies/diagnostics/variance_reduction.hpp"
+#include "studies/diagnostics/variances.hpp"
 #include "tests/support/statistical_assertions.hpp"
 #include "tests/support/studies.hpp"
 

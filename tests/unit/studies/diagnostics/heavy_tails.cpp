@@ -1,4 +1,4 @@
-#include "studies/diagnostics/heavy_tails.hpp"
+#include "studies/diagnostics/variances.hpp"
 
 #include "core/exact/exact.hpp"
 #include "tests/support/studies.hpp"

@@ -1,4 +1,4 @@
-#include "studies/diagnostics/variance_check.hpp"
+#include "studies/diagnostics/variances.hpp"
 
 #include "tests/support/studies.hpp"
 

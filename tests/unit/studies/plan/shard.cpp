@@ -1,4 +1,4 @@
-#include "studies/plan/shard.hpp"
+#include "studies/run/parallel.hpp"
 
 #include "core/support/error.hpp"
 

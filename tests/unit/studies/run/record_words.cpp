@@ -1,4 +1,4 @@
-#include "studies/run/record_words.hpp"
+#include "studies/store/records.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "studies/store/journal.hpp"
+#include "studies/store/sqlite.hpp"
 
 #include "core/support/error.hpp"
 #include "tests/support/studies.hpp"

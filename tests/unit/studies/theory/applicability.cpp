@@ -1,4 +1,4 @@
-#include "studies/theory/applicability.hpp"
+#include "studies/plan/plan.hpp"
 
 #include "core/geometry/box.hpp"
 #include "core/support/error.hpp"

@@ -1,4 +1,4 @@
-#include "studies/trials/cell_reader.hpp"
+#include "studies/trials/estimates.hpp"
 
 #include "tests/support/studies.hpp"
 

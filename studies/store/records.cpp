@@ -1,4 +1,4 @@
-#include "studies/run/record_words.hpp"
+#include "studies/store/records.hpp"
 
 #include "core/support/contract.hpp"
 
@@ -12,7 +12,7 @@ constexpr std::size_t head_words = 4;         // unit, observations, patch hits,
 constexpr std::size_t observation_words = 5;  // what, from, to, trial, value
 
 std::uint64_t index_of(std::string_view observable) {
-    const auto* found = std::find(observable::all.begin(), observable::all.end(), observable);
+    const auto* found = std::ranges::find(observable::all, observable);
     FF_EXPECT(found != observable::all.end());
     return static_cast<std::uint64_t>(found - observable::all.begin());
 }

@@ -1,4 +1,4 @@
-#include "studies/spec/request.hpp"
+#include "studies/spec/sections.hpp"
 
 #include "core/exact/known_factors.hpp"
 #include "core/support/error.hpp"
@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <string_view>
 
 namespace ff::studies {
 namespace {
@@ -45,7 +43,7 @@ std::string problem_with_emission(const std::vector<double>& emission) {
         if (!(value >= 0) || !std::isfinite(value))
             return fmt::format("({} is below 0, or no number: no surface emits that). Give 0 or more.", value);
     }
-    if (!emission.empty() && std::all_of(emission.begin(), emission.end(), [](double value) { return value == 0; }))
+    if (!emission.empty() && std::ranges::all_of(emission, [](double value) { return value == 0; }))
         return "(nothing emits: all would be dark). Give one face 1.";
     for (const double value : emission) {
         if (!within(value, most_emission))
@@ -151,6 +149,40 @@ void expect_fitting(const RadiosityRequest& request, const Scene& scene) {
 
 std::string in_words(const std::vector<double>& reflectance) {
     return fmt::format("{}", fmt::join(reflectance, ", "));
+}
+
+StoppingRule read_stopping_rule(const TomlReader& reader, std::uint64_t trials) {
+    reader.expect_only({"rmse", "ci", "pilot"});
+    StoppingRule rule;
+    if (reader.has("rmse") == reader.has("ci")) {
+        reader.fail("rmse", "(expected one goal: rmse or ci). Write one of them, e.g. ci = 1e-5.");
+    }
+    rule.goal = reader.has("rmse") ? StoppingGoal::rmse : StoppingGoal::ci;
+    rule.target = *reader.optional_number(name(rule.goal));
+    if (rule.target <= 0) reader.fail(name(rule.goal), "(no number of trials reaches 0). Try 1e-4.");
+    rule.pilot = reader.optional_count("pilot").value_or(rule.pilot);
+    if (rule.pilot < fewest_pilot_trials || rule.pilot > trials) {
+        reader.fail("pilot", fmt::format("({} to {} trials, the study's, are possible). Try {}.", fewest_pilot_trials,
+                                         trials, std::min<std::uint64_t>(30, trials)));
+    }
+    return rule;
+}
+
+StoppingRule parse_stopping_rule(std::string_view text) {
+    const std::size_t equals = text.find('=');
+    const auto fail = [&](std::string_view why) {
+        return UserError(fmt::format("--until {} ({}). Write rmse=1e-5 or ci=1e-5.", text, why));
+    };
+    if (equals == std::string_view::npos) throw fail("expected a goal and its value");
+    const auto goal = value_named<StoppingGoal>(text.substr(0, equals));
+    if (!goal) throw fail("the goals are rmse and ci");
+    const double target = parse_bare_number<double>(text.substr(equals + 1)).value_or(0);
+    if (!std::isfinite(target) || target <= 0) throw fail("not a number above 0");
+    return {.goal = *goal, .target = target};
+}
+
+std::string to_toml(const StoppingRule& rule) {
+    return fmt::format("\n[until]\n{} = {}\npilot = {}\n", name(rule.goal), rule.target, rule.pilot);
 }
 
 }  // namespace ff::studies
