@@ -122,26 +122,18 @@ class LadderFit {
         return derive_key(plan_.spec.seed, text);
     }
 
-    [[nodiscard]] PairClass class_of(Quantity pair) const {
-        return pair_class(plan_.scenes[ladder_.scene], pair.from - 1, pair.to - 1);
-    }
-
     [[nodiscard]] Hiding hiding(std::span<const Quantity> pairs) const {
         const Scene& scene = plan_.scenes[ladder_.scene];
-        return std::ranges::any_of(pairs,
-                                   [&](Quantity pair) { return may_be_occluded(scene, pair.from - 1, pair.to - 1); })
-                   ? Hiding::possible
-                   : Hiding::none;
+        const auto occluded = [&](Quantity pair) { return may_be_occluded(scene, pair.from - 1, pair.to - 1); };
+        return std::ranges::any_of(pairs, occluded) ? Hiding::possible : Hiding::none;
     }
 
     [[nodiscard]] std::vector<stats::Rung> rungs(std::span<const Quantity> pairs) const {
         std::vector<stats::Rung> rungs;
-        for (const auto& estimates : estimates_) {
-            stats::Rung& rung = rungs.emplace_back();
-            rung.size = static_cast<double>(estimates->evaluations_per_face);
-            rung.width = pairs.size();
-            rung.errors = errors_of(*estimates, pairs, known_);
-        }
+        for (const auto& estimates : estimates_)
+            rungs.push_back({.size = static_cast<double>(estimates->evaluations_per_face),
+                             .errors = errors_of(*estimates, pairs, known_),
+                             .width = pairs.size()});
         return rungs;
     }
 
@@ -149,9 +141,11 @@ class LadderFit {
         const Method& method = plan_.spec.methods[ladder_.method];
         Slope slope;
         slope.pair = pair;
-        slope.pair_class = class_of(pairs.front());
+        slope.pair_class = pair_class(plan_.scenes[ladder_.scene], pairs.front().from - 1, pairs.front().to - 1);
         slope.statistic = error;
-        slope.variance = variance_of(pairs.front());
+        slope.variance = findings_.cells[ladder_.cells.front()].summary(pairs.front()).variance;
+        // Sparse hits do not allow a test of a mean, but their spread can be measured.
+        if (slope.variance == VarianceStatus::sparse) slope.variance = VarianceStatus::finite;
         slope.few_trials = std::ranges::any_of(
             ladder_.cells, [&](std::size_t cell) { return findings_.cells[cell].repeated_trials > 0; });
         if (ladder_.growth == Growth::samples) slope.expected = expected_rate(method, slope.pair_class, hiding(pairs));
@@ -175,12 +169,6 @@ class LadderFit {
             .value = *slope.slope > slope.slowest_expected ? slope.slowest_expected : slope.expected->rate,
             .parts = {}};
         slope.p = rate ? std::max(*slope.p, stats::p_of_equal(nearest, *rate)) : 1;
-    }
-
-    /// Sparse hits do not allow a test of a mean, but their spread can be measured.
-    [[nodiscard]] VarianceStatus variance_of(Quantity pair) const {
-        const VarianceStatus status = findings_.cells[ladder_.cells.front()].summary(pair).variance;
-        return status == VarianceStatus::sparse ? VarianceStatus::finite : status;
     }
 
     [[nodiscard]] ClassSlopes class_slopes(PairClass pair_class, std::span<const Quantity> members) const {

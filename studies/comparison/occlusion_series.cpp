@@ -25,10 +25,6 @@ std::vector<std::size_t> cells_of(const StudyPlan& plan, std::size_t scene, std:
     return cells;
 }
 
-double log_evaluations(const Analysis& findings, std::size_t cell) {
-    return std::log(static_cast<double>(std::max<std::uint64_t>(1, findings.cells[cell].evaluations_per_face)));
-}
-
 /// The least of the largest numbers of evaluations of all methods in all scenes of a series.
 std::uint64_t common_evaluations(const Analysis& findings, const std::vector<std::size_t>& scenes) {
     std::uint64_t common = std::numeric_limits<std::uint64_t>::max();
@@ -65,21 +61,20 @@ class Errors {
         const auto cells = cells_of(findings_.plan, scene, method);
         if (cells.empty()) return std::nullopt;
         const double wanted = std::log(static_cast<double>(evaluations));
-        const std::size_t cell = *std::ranges::min_element(
-            cells, {}, [&](std::size_t each) { return std::abs(log_evaluations(findings_, each) - wanted); });
+        const std::size_t cell = *std::ranges::min_element(cells, {}, [&](std::size_t each) {
+            const auto has = std::max<std::uint64_t>(1, findings_.cells[each].evaluations_per_face);
+            return std::abs(std::log(static_cast<double>(has)) - wanted);
+        });
         if (findings_.cells[cell].trials == 0) return std::nullopt;
         const auto loaded = cells_.load(cell);
         const CellEstimates& estimates = *loaded;
         const VarianceStatus status = findings_.cells[cell].summary(pair).variance;
         if (status == VarianceStatus::undefined) return std::nullopt;
-        PairError found;
-        found.cell = cell;
-        found.error =
+        const auto error =
             class_error_of(errors_of(estimates, std::array{pair}, known), 1, estimates.evaluations_per_face, status,
                            findings_.plan.spec.level, {known_limits(findings_.plan, estimates, pair).unmet});
         const ErrorSize size = status == VarianceStatus::infinite ? ErrorSize::median_abs_error : ErrorSize::rmse;
-        found.slope = slope_of(slopes_, scene, method, pair, size);
-        return found;
+        return PairError{cell, error, slope_of(slopes_, scene, method, pair, size)};
     }
 
   private:

@@ -13,27 +13,6 @@
 namespace ff::studies {
 namespace {
 
-/// The tails that can be tested, with their fits.
-struct Candidate {
-    HeavyTail tail;
-    stats::TailFit fit;
-};
-
-std::vector<Candidate> candidates(const CellReader& cells, const Analysis& findings) {
-    std::vector<Candidate> found;
-    for (const CellAnalysis& cell : findings.cells) {
-        const auto loaded = cells.load(cell.cell);
-        const CellEstimates& estimates = *loaded;
-        for (const Summary& summary : cell.summaries) {
-            const bool pair = summary.quantity.kind == QuantityKind::form_factor;
-            if (!pair || summary.variance != VarianceStatus::finite) continue;
-            const auto fit = stats::fit_tail(estimates.values(summary.quantity));
-            if (fit && fit->index()) found.push_back({{cell.cell, summary.quantity, *fit->index()}, *fit});
-        }
-    }
-    return found;
-}
-
 double chi_squared_two_sided_p(double sampled, double exact, std::size_t trials) {
     const auto freedom = static_cast<double>(trials - 1);
     const double ratio = sampled / exact;
@@ -99,13 +78,24 @@ std::optional<std::size_t> counterpart(const StudyPlan& plan, const Cell& cell) 
 }  // namespace
 
 std::vector<HeavyTail> find_heavy_tails(const CellReader& cells, const Analysis& findings) {
-    const auto tested = candidates(cells, findings);
+    std::vector<HeavyTail> tested;
+    std::vector<stats::TailFit> fits;
+    for (const CellAnalysis& cell : findings.cells) {
+        const auto estimates = cells.load(cell.cell);
+        for (const Summary& summary : cell.summaries) {
+            const bool pair = summary.quantity.kind == QuantityKind::form_factor;
+            if (!pair || summary.variance != VarianceStatus::finite) continue;
+            const auto fit = stats::fit_tail(estimates->values(summary.quantity));
+            if (!fit || !fit->index()) continue;
+            tested.push_back({cell.cell, summary.quantity, *fit->index()});
+            fits.push_back(*fit);
+        }
+    }
     if (tested.empty()) return {};
-    std::vector<HeavyTail> heavy;
     const double alpha = stats::sidak_level(1 - findings.plan.spec.level, tested.size());
-    for (const Candidate& candidate : tested) {
-        if (stats::judge_variance(candidate.fit, alpha) == stats::VarianceHealth::infinite)
-            heavy.push_back(candidate.tail);
+    std::vector<HeavyTail> heavy;
+    for (std::size_t i = 0; i < tested.size(); ++i) {
+        if (stats::judge_variance(fits[i], alpha) == stats::VarianceHealth::infinite) heavy.push_back(tested[i]);
     }
     return heavy;
 }

@@ -16,7 +16,7 @@ struct HeavyTail {
     double index = 0;  ///< tail index of the upper tail; the variance is infinite below 2
 };
 
-/// Tests the tail of every pair that is treated as having a variance (stats/variances/tail_index.hpp), at the study's
+/// Tests the tail of every pair that is treated as having a variance (stats/variances/tails.hpp), at the study's
 /// error rate over all of them together. Cells with fewer than 200 trials are skipped: a tail does not show in fewer.
 std::vector<HeavyTail> find_heavy_tails(const CellReader& cells, const Analysis& findings);
 

@@ -52,7 +52,7 @@ template <>
 inline constexpr auto names_of<StoppingGoal> = name_table(Named{StoppingGoal::rmse, "rmse"},
                                                           Named{StoppingGoal::ci, "ci"});
 
-/// When a cell has enough trials: Stein's two stages (stats/means/two_stage.hpp). The spread of the pilot's trials
+/// When a cell has enough trials: Stein's two stages (stats/means/mean_interval.hpp). The spread of the pilot's trials
 /// determines the total number, at most the study's `trials`.
 struct StoppingRule {
     StoppingGoal goal = StoppingGoal::rmse;

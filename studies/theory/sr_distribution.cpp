@@ -12,16 +12,6 @@ namespace {
 
 using Index = Eigen::Index;
 
-/// Row of the linear map from direct estimates to completed ones that gives entry (i, j).
-void complete_entry(const Scene& scene, Index i, Index j, Completion completion, Eigen::MatrixXd& map) {
-    const Index faces = static_cast<Index>(scene.faces.size());
-    if (completion == Completion::direct || i <= j) {
-        map(i * faces + j, i * faces + j) = 1;
-        return;
-    }
-    map(i * faces + j, j * faces + i) = face_area(scene, static_cast<int>(j)) / face_area(scene, static_cast<int>(i));
-}
-
 /// Sum over the patches of a face of the multinomial covariance of one ray.
 Eigen::MatrixXd ray_covariance(const Eigen::MatrixXd& factors) {
     const Eigen::VectorXd totals = factors.colwise().sum();
@@ -62,11 +52,16 @@ SrDistribution sr_distribution(const Scene& scene, Subdivision subdivision, cons
         }
     }
 
+    // The linear map from direct estimates to completed ones.
     Eigen::MatrixXd completed = Eigen::MatrixXd::Zero(faces * faces, faces * faces);
     Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(faces, faces * faces);
     for (Index i = 0; i < faces; ++i) {
         for (Index j = 0; j < faces; ++j) {
-            complete_entry(scene, i, j, completion, completed);
+            if (completion == Completion::direct || i <= j)
+                completed(i * faces + j, i * faces + j) = 1;
+            else
+                completed(i * faces + j, j * faces + i) =
+                    face_area(scene, static_cast<int>(j)) / face_area(scene, static_cast<int>(i));
             sums(i, i * faces + j) = 1;
         }
     }

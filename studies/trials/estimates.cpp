@@ -117,7 +117,7 @@ CellEstimates load_estimates(const Store& store, std::size_t cell_index, Complet
     const Scene& scene = plan.scenes[cell.scene];
     const bool shoots = estimator_info(plan.spec.methods[cell.method]).observes == Observes::hits;
     const bool counted = shoots && has_one_surface_a_face(scene);
-    const int faces = static_cast<int>(plan.scenes[cell.scene].faces.size());
+    const int faces = static_cast<int>(scene.faces.size());
     DirectEstimates direct;
     direct.trial_numbers = store.saved_trial_numbers(cell_index);
     for (int i = 1; i <= faces; ++i) {
@@ -149,7 +149,7 @@ CellEstimates complete(const StudyPlan& plan, std::size_t cell_index, Completion
     const bool counted = shoots && has_one_surface_a_face(scene);
     if (shoots && scene.closed) estimates.lost_rays = direct.lost_rays;  // out of an open scene rays may go
     if (counted) estimates.rays = rays_of_pairs(estimates, scene, completion);
-    const auto faces = static_cast<std::size_t>(estimates.faces);
+    const std::size_t faces = estimates.faces;
     for (std::size_t i = 0; completion == Completion::reciprocal && i < faces; ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             const std::size_t row = i * faces;
