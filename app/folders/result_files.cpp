@@ -29,7 +29,7 @@ namespace {
 void write_markdown(OutputFolder& folder, const ResultSources& sources) {
     const studies::StudyResults& results = sources.results;
     folder.write("report.md", reports::markdown_report(results));
-    if (const auto lead = reports::lead_picture(results); lead && lead->kind == "ranking")
+    if (const auto lead = reports::answer_ranking(results))
         folder.write("answer.svg", reports::ranking_svg(*lead));
     else
         folder.remove("answer.svg");  // an earlier run may have had one

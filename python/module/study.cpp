@@ -73,8 +73,7 @@ StudyTables tables_of(const studies::Store& store, const std::atomic<bool>& stop
     tables.trials = text_of([&](std::ostream& out) { reports::write_trials_csv(out, store); });
     tables.report = reports::markdown_report(results);
     tables.answer = reports::answer(results).text;
-    if (const auto lead = reports::lead_picture(results); lead && lead->kind == "ranking")
-        tables.picture = reports::ranking_svg(*lead);
+    if (const auto lead = reports::answer_ranking(results)) tables.picture = reports::ranking_svg(*lead);
     tables.warnings = results.findings.plan.warnings;
     tables.complete = store.is_complete();
     return tables;

@@ -43,7 +43,7 @@ std::string brief_section(const studies::StudyResults& results) {
     const Answer said = answer(results);
     std::string out = said.question.empty() ? std::string() : fmt::format("*{}*\n\n", markdown_text(said.question));
     out += fmt::format("**{}**\n\n", markdown_text(said.text));
-    if (const auto lead = lead_picture(results); lead && lead->kind == "ranking")
+    if (const auto lead = answer_ranking(results))
         out += fmt::format("![{}](answer.svg)\n\n{}\n\n", markdown_text(lead->title), markdown_text(lead->finding));
     out += "## In brief\n\n";
     out += bias_line(results.findings);

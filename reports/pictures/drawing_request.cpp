@@ -11,7 +11,7 @@ std::vector<Picture> all_pictures(const studies::StudyResults& results, const Me
     std::vector<Picture> all;
     const auto add = [&](std::vector<Picture> more) { std::move(more.begin(), more.end(), std::back_inserter(all)); };
     auto lead = lead_picture(results, methods);
-    if (lead && lead->kind == "ranking") {  // others are among those below
+    if (lead && lead->id == "answer") {  // others are among those below
         auto alternatives = std::move(lead->alternatives);
         add({std::move(*lead)});
         add(std::move(alternatives));

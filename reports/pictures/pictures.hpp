@@ -44,6 +44,14 @@ struct PictureGroup {
 /// The picture beside the answer; empty where there is nothing to compare. It may also be one of the others.
 std::optional<Picture> lead_picture(const studies::StudyResults& results, const MethodChoice& methods = {});
 
+/// The numbers that the answer compares, a row for each method; empty where it compares none. It is the picture beside
+/// the answer in report.md, and in report.html where no other shows more.
+std::optional<Picture> answer_ranking(const studies::StudyResults& results, const MethodChoice& methods = {});
+
+/// Error against evaluations of the methods that a publication compares, at all sizes, with the errors of its figures;
+/// empty where no kind of pairs has two such methods. @pre results.published
+std::optional<Picture> publication_picture(const studies::StudyResults& results, const MethodChoice& methods = {});
+
 /// Errors of all methods at about the same number of evaluations, smallest first; for each number that several have.
 std::vector<Picture> errors_at_sizes(const studies::StudyResults& results, const MethodChoice& methods = {});
 

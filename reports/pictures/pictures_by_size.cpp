@@ -4,11 +4,14 @@
 #include "reports/words/findings/occlusion_words.hpp"
 #include "reports/words/findings/standing.hpp"
 #include "reports/words/sizes.hpp"
+#include "studies/comparison/ranking.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -47,6 +50,28 @@ void add_expected(const SizeSeries& series, const studies::ClassSlopes& slopes, 
     }
 }
 
+/// The errors of printed form factors on a class of pairs, for each cell: their root mean square.
+std::map<std::size_t, double> printed_errors(const studies::StudyResults& results, std::size_t scene,
+                                             PairClass pair_class) {
+    std::map<std::size_t, std::pair<double, double>> sums;  // of squares and of figures
+    if (!results.published) return {};
+    for (const studies::TableComparison& table : results.published->comparisons) {
+        for (const studies::FigureComparison& figure : table.figures) {
+            if (!figure.cell || results.findings.plan.cells[*figure.cell].scene != scene) continue;
+            if (figure.quantity.kind != studies::QuantityKind::form_factor) continue;
+            const studies::Summary& summary = results.findings.cells[*figure.cell].summary(figure.quantity);
+            if (summary.pair_class != pair_class || !summary.reference) continue;
+            const double error = figure.printed - *summary.reference;
+            auto& [squares, count] = sums[*figure.cell];
+            squares += error * error;
+            ++count;
+        }
+    }
+    std::map<std::size_t, double> errors;
+    for (const auto& [cell, sum] : sums) errors[cell] = std::sqrt(sum.first / sum.second);
+    return errors;
+}
+
 std::vector<std::size_t> cells_of(const studies::StudyPlan& plan, const std::vector<SizeSeries>& all,
                                   bool deterministic) {
     std::vector<std::size_t> cells;
@@ -71,8 +96,11 @@ std::string smallest_errors_in_words(const studies::Analysis& findings, const st
     return text;
 }
 
-Picture convergence_picture(const studies::Analysis& findings, std::size_t scene, PairClass pair_class,
+Picture convergence_picture(const studies::StudyResults& results, std::size_t scene, PairClass pair_class,
                             const std::vector<SizeSeries>& all, const std::vector<MethodStyle>& styles) {
+    const studies::Analysis& findings = results.findings;
+    const auto printed = printed_errors(results, scene, pair_class);
+    bool is_printed = false;
     PictureValues values({"method", "role", "size", "evaluations", "error", "low", "high"});
     MethodLines lines(styles, HeightAxis::logarithmic);
     for (const SizeSeries& series : all) {
@@ -84,6 +112,12 @@ Picture convergence_picture(const studies::Analysis& findings, std::size_t scene
                         point.found->evaluations_per_face, drawn(point.error), drawn_low(interval),
                         drawn_high(interval)});
             lines.add(point.error, interval);
+            const auto of_publication = printed.find(point.found->cell);
+            if (of_publication == printed.end() || of_publication->second < studies::rounding_error) continue;
+            values.add({series.method, "printed", size_label(findings.plan, findings.plan.cells[point.found->cell]),
+                        point.found->evaluations_per_face, drawn(of_publication->second), nullptr, nullptr});
+            lines.make_room(of_publication->second);
+            is_printed = true;
         }
         for (const studies::ClassSlopes* slopes : series.ladders) add_expected(series, *slopes, values);
     }
@@ -97,8 +131,8 @@ Picture convergence_picture(const studies::Analysis& findings, std::size_t scene
                     "for each method; where the variance is infinite, the median of the absolute error. Thin dashed "
                     "lines have the slope that theory expects.",
                     place, percents));
-    picture.finding +=
-        fmt::format("Bands and bars: {:g} % intervals; dashed: the slope that theory expects.", percents);
+    picture.finding += fmt::format("Bands and bars: {:g} % intervals; dashed: the slope that theory expects{}.",
+                                   percents, is_printed ? "; hollow: the printed figures, one run" : "");
     return picture;
 }
 
@@ -175,11 +209,39 @@ std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std
         std::erase_if(all, [&](const SizeSeries& series) { return !methods.has(series.method); });
         if (all.empty() || (all.size() == 1 && all.front().points.size() == 1))
             continue;  // one point does not make a picture
-        pictures.push_back(convergence_picture(findings, scene, pair_class, all, styles));
+        pictures.push_back(convergence_picture(results, scene, pair_class, all, styles));
         if (auto efficiency = efficiency_picture(findings, scene, pair_class, all, styles))
             pictures.push_back(std::move(*efficiency));
     }
     return pictures;
+}
+
+std::optional<Picture> publication_picture(const studies::StudyResults& results, const MethodChoice& methods) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    const auto styles = method_styles(results, methods);
+    std::optional<Picture> picture;
+    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+        std::set<std::string> compared;
+        for (const std::size_t cell : studies::compared_cells(results.findings, scene, results.published->comparisons))
+            compared.insert(plan.spec.methods[plan.cells[cell].method].name);
+        for (const PairClass pair_class : {PairClass::adjacent, PairClass::parallel, PairClass::other}) {
+            auto all = size_series(results, scene, pair_class);
+            std::erase_if(all, [&](const SizeSeries& series) {
+                return !compared.contains(series.method) || !methods.has(series.method);
+            });
+            if (all.size() < 2) continue;
+            Picture each = convergence_picture(results, scene, pair_class, all, styles);
+            each.name = where(plan, scene, pair_class);
+            if (!picture) {
+                each.id = "answer";
+                picture = std::move(each);
+            } else {
+                each.id = fmt::format("answer-{}", picture->alternatives.size() + 1);
+                picture->alternatives.push_back(std::move(each));
+            }
+        }
+    }
+    return picture;
 }
 
 std::vector<Picture> pictures_by_size(const studies::StudyResults& results, const MethodChoice& methods) {

@@ -232,13 +232,22 @@ std::optional<Picture> claims_picture(const studies::StudyResults& results) {
 }
 
 std::optional<Picture> lead_picture(const studies::StudyResults& results, const MethodChoice& methods) {
-    const Answer said = answer(results);
-    const MainFinding& found = said.finding;
+    const MainFinding found = answer(results).finding;
     if (found.subject == Subject::light) {
         const auto group = radiosity_pictures(results);
         return group && !group->pictures.empty() ? std::optional(group->pictures.front()) : std::nullopt;
     }
     if (found.subject == Subject::occlusion) return pictures_by_size(results, methods).front();
+    if (found.subject == Subject::publication) {
+        if (auto picture = publication_picture(results, methods)) return picture;
+    }
+    return answer_ranking(results, methods);
+}
+
+std::optional<Picture> answer_ranking(const studies::StudyResults& results, const MethodChoice& methods) {
+    const Answer said = answer(results);
+    const MainFinding& found = said.finding;
+    if (found.subject == Subject::light || found.subject == Subject::occlusion) return std::nullopt;
     const bool is_about_all = found.subject == Subject::coverage || found.subject == Subject::configurations;
     if (is_about_all && !methods.names.empty()) return std::nullopt;
     RankingRows rows(results, methods);

@@ -1,6 +1,7 @@
 #include "studies/radiosity/consequences.hpp"
 
 #include "stats/convergence/line_fit.hpp"
+#include "studies/plan/ladders.hpp"
 #include "studies/plan/plan.hpp"
 #include "studies/radiosity/collector.hpp"
 #include "studies/radiosity/cost.hpp"
