@@ -89,8 +89,8 @@ const CatalogueEntry& find(std::string_view name) {
         }
     }
     if (const AddedSampler* added = find_added(name)) return added->entry();
-    throw UserError(fmt::format("sampler \"{}\" (there is none of this name). {}Known samplers: {}.", excerpt(name),
-                                did_you_mean(name, all_names, '"'), fmt::join(all_names, ", ")));
+    throw UserError("sampler \"{}\" (there is none of this name). {}Known samplers: {}.", excerpt(name),
+                    did_you_mean(name, all_names, '"'), fmt::join(all_names, ", "));
 }
 
 }  // namespace ff::samplers

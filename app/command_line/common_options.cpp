@@ -7,8 +7,6 @@
 #include "core/support/error.hpp"
 #include "studies/readers/text_file.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <random>
 #include <string_view>
@@ -23,8 +21,7 @@ constexpr unsigned most_threads = 4096;
 }  // namespace
 
 Seed checked_seed(std::uint64_t seed) {
-    if (seed > largest_seed)
-        throw UserError(fmt::format("--seed {} (at most {}). Take a smaller one.", seed, largest_seed));
+    if (seed > largest_seed) throw UserError("--seed {} (at most {}). Take a smaller one.", seed, largest_seed);
     return Seed{seed};
 }
 
@@ -36,8 +33,7 @@ Seed fresh_seed() {
 unsigned thread_count(const std::optional<unsigned>& threads) {
     if (!threads) return std::max(1u, std::thread::hardware_concurrency());
     if (*threads == 0 || *threads > most_threads) {
-        throw UserError(
-            fmt::format("--threads {} (1 to {} are possible). Leave it out for all cores.", *threads, most_threads));
+        throw UserError("--threads {} (1 to {} are possible). Leave it out for all cores.", *threads, most_threads);
     }
     return *threads;
 }
@@ -70,9 +66,9 @@ void admit_code_of(const std::filesystem::path& file, studies::FileKind kind, co
         const std::string_view what = plugin ? "loads the plug-in" : "runs";
         if (options.no_commands)
             throw UserError(
-                fmt::format("{}: {} {} (--no-commands refuses it). Leave the option out where you trust "
-                            "the file.",
-                            code.place, what, code.text));
+                "{}: {} {} (--no-commands refuses it). Leave the option out where you trust "
+                "the file.",
+                code.place, what, code.text);
         if (announcement == Announcement::said) say("note: {} {} {}\n", code.place, what, code.text);
         studies::admit(code, file.parent_path(), deadline);
     }

@@ -87,8 +87,8 @@ std::vector<Listed> listed(std::string_view plural) {
         for (const auto& control : studies::controls())
             add(control.description.name, fmt::format("{:<12} {}", control.kind, control.description.summary));
     } else {
-        throw UserError(fmt::format("'{}' cannot be listed. {}Known: {}.", plural, did_you_mean(plural, plurals()),
-                                    listed_kinds_in_words()));
+        throw UserError("'{}' cannot be listed. {}Known: {}.", plural, did_you_mean(plural, plurals()),
+                        listed_kinds_in_words());
     }
     return rows;
 }

@@ -264,8 +264,7 @@ std::string help_of(const ProgramDefinition& program, const std::string& command
     if (std::find(names.begin(), names.end(), name) != names.end())
         return app->get_subcommand(name)->help(app->get_name());
     const std::vector<std::string_view> known(names.begin(), names.end());
-    throw UserError(
-        fmt::format("unknown command '{}'. {}See 'ffstudy --help'.", command, did_you_mean(command, known)));
+    throw UserError("unknown command '{}'. {}See 'ffstudy --help'.", command, did_you_mean(command, known));
 }
 
 ProgramModel model_of(const ProgramDefinition& program) {

@@ -76,8 +76,8 @@ ExitCode tell_exception() {
 void expect_utf8() {
     for (const std::string_view argument : arguments_of_program) {
         if (studies::find_no_utf8(argument) == std::string_view::npos) continue;
-        throw UserError(fmt::format(
-            "{}: not UTF-8 (reports could not hold it). Rename the file, or choose another name.", argument));
+        throw UserError("{}: not UTF-8 (reports could not hold it). Rename the file, or choose another name.",
+                        argument);
     }
 }
 

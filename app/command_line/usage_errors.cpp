@@ -99,8 +99,8 @@ void refuse_unmeant_values(const OptionModel& option, const std::vector<std::str
     for (const std::string& value : values) {
         if (counts(option) && value.starts_with('-')) throw UserError(no_number(option, value));
         if (!value.empty()) continue;
-        throw UserError(fmt::format("{} is empty (it would silently mean the default). Give a value{}.", option.name,
-                                    option.is_argument ? "" : ", or leave the option out"));
+        throw UserError("{} is empty (it would silently mean the default). Give a value{}.", option.name,
+                        option.is_argument ? "" : ", or leave the option out");
     }
 }
 

@@ -10,8 +10,6 @@
 #include "studies/audit/audit.hpp"
 #include "studies/published/published.hpp"
 
-#include <fmt/format.h>
-
 namespace ff::app {
 namespace {
 
@@ -27,7 +25,7 @@ ExitCode audit(const AuditCommand& command) {
         try {
             return studies::audit::examine(tables);
         } catch (const UserError& error) {
-            throw UserError(fmt::format("{}: {}", command.tables.string(), error.what()));
+            throw UserError("{}: {}", command.tables.string(), error.what());
         }
     }();
     if (!command.out.empty())

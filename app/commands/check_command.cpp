@@ -123,9 +123,9 @@ ExitCode save_baseline(Check& check, const CheckSession& session) {
     auto plans = prepare(check, GatePurpose::save_baseline);
     if (plans.empty())
         throw UserError(
-            fmt::format("{}: no gate compares with a baseline (there is nothing to save). Add reference = "
-                        "\"baseline\" to a gate, or one of kind \"efficiency\".",
-                        check.command.bands.string()));
+            "{}: no gate compares with a baseline (there is nothing to save). Add reference = "
+            "\"baseline\" to a gate, or one of kind \"efficiency\".",
+            check.command.bands.string());
     studies::gates::Baseline baseline;
     for (Plan& gate : plans) {
         plan(check, gate);
@@ -174,8 +174,7 @@ ExitCode sweep(Check& check, const CheckSession& session) {
     const auto out = session.out();
     const std::uint64_t seeds = check.command.seed_sweep;
     constexpr std::uint64_t most_seeds = 1'000'000;
-    if (seeds > most_seeds)
-        throw UserError(fmt::format("--seed-sweep {} (at most {} seeds). Take fewer.", seeds, most_seeds));
+    if (seeds > most_seeds) throw UserError("--seed-sweep {} (at most {} seeds). Take fewer.", seeds, most_seeds);
     static_cast<void>(prepare(check, GatePurpose::check));
     OutputFolder folder = open_folder(out, {"seed_sweep.csv"});
     const std::uint64_t first = check.spec.seed.value;

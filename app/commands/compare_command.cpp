@@ -10,8 +10,6 @@
 #include "studies/comparison/run_comparison.hpp"
 #include "studies/store/store.hpp"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -64,13 +62,13 @@ Side read_side(const std::filesystem::path& given) {
 /// @throws UserError where the two cannot be compared
 void expect_two(const CompareCommand& command, const Side& first, const Side& second, bool same_run) {
     if (first.method.empty() != second.method.empty())
-        throw UserError(fmt::format("{} and {} (only one names a method). Name one of each, RESULTS:METHOD.",
-                                    command.first.string(), command.second.string()));
+        throw UserError("{} and {} (only one names a method). Name one of each, RESULTS:METHOD.",
+                        command.first.string(), command.second.string());
     if (!same_run || first.method != second.method) return;
     throw UserError(
-        fmt::format("{} is {} (a run is equal to itself). Give another one, or two of its methods: "
-                    "RESULTS:METHOD.",
-                    command.second.string(), command.first.string()));
+        "{} is {} (a run is equal to itself). Give another one, or two of its methods: "
+        "RESULTS:METHOD.",
+        command.second.string(), command.first.string());
 }
 
 ExitCode compare(const CompareCommand& command) {

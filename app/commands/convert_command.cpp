@@ -47,9 +47,9 @@ const SceneFormat& format_of(const std::filesystem::path& file) {
         if (file.extension() == format.extension) return format;
     }
     throw UserError(
-        fmt::format("{}: its extension names no format that scenes are written in (.obj, .vs3, .toml). "
-                    "Choose one of them.",
-                    file.string()));
+        "{}: its extension names no format that scenes are written in (.obj, .vs3, .toml). "
+        "Choose one of them.",
+        file.string());
 }
 
 /// Names with no other meaning in OBJ and View3D: without blanks and special characters, and not the name of occluders.
@@ -74,7 +74,7 @@ void make_words_of_names(Scene& scene) {
 ExitCode convert(const ConvertCommand& command) {
     const SceneFormat& format = format_of(command.out);
     if (command.facets && (*command.facets < 3 || *command.facets > 10000))
-        throw UserError(fmt::format("--facets {} (3 to 10000 polygons around a full turn). Try 32.", *command.facets));
+        throw UserError("--facets {} (3 to 10000 polygons around a full turn). Try 32.", *command.facets);
     Scene scene = prepare_form_factors(command.scene).scene;
     studies::expect_no_masks(scene);
     if (!command.scene.quiet) {
@@ -91,9 +91,9 @@ ExitCode convert(const ConvertCommand& command) {
         make_words_of_names(scene);
         if (!studies::is_of_polygons(scene))
             throw UserError(
-                fmt::format("{}: scene '{}' has curved surfaces ({} holds polygons only). Add --facets 32, "
-                            "or write .toml.",
-                            command.out.string(), scene.name, format.extension));
+                "{}: scene '{}' has curved surfaces ({} holds polygons only). Add --facets 32, "
+                "or write .toml.",
+                command.out.string(), scene.name, format.extension);
     }
     if (format.extension == ".vs3" && !command.scene.quiet)
         say("note: emissivities are not converted; they are 0.5 in {}.\n", command.out.string());

@@ -206,8 +206,8 @@ studies::form_factors::KeptMatrix load_kept_form_factors(const FormFactorsComman
 
 void expect_nothing_dropped(const studies::form_factors::KeptMatrix& kept, std::string_view what) {
     if (kept.request.drop == 0) return;
-    throw UserError(fmt::format("{}: the matrix was made with --drop {} ({} needs all pairs). Make it without.", what,
-                                kept.request.drop, what));
+    throw UserError("{}: the matrix was made with --drop {} ({} needs all pairs). Make it without.", what,
+                    kept.request.drop, what);
 }
 
 bool compute_form_factors(const FormFactorsCommand& command, studies::form_factors::KeptMatrix& kept,
@@ -285,8 +285,7 @@ ExitCode merge_form_factors(const MergeCommand& command) {
     for (const auto& source : command.sources) {
         std::error_code missing;
         if (!std::filesystem::equivalent(rows_of(source).value_or(source), command.out / rows_file, missing)) continue;
-        throw UserError(
-            fmt::format("--out {}: one of the shards lies there. Choose another folder.", command.out.string()));
+        throw UserError("--out {}: one of the shards lies there. Choose another folder.", command.out.string());
     }
     const auto out = open_matrix_folder(as_asked, kept.scene);
     const Processes processes;

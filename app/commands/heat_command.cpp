@@ -45,16 +45,16 @@ studies::form_factors::KeptMatrix load_of_all_at_once(const FormFactorsCommand& 
     expect_nothing_dropped(kept, "ffstudy heat");
     if (!kept.request.surroundings.empty())
         throw UserError(
-            fmt::format("--load {}: the matrix was made with --surroundings {} (heat takes the surroundings from the "
-                        "materials file). Make it without.",
-                        command.load.string(), kept.request.surroundings));
+            "--load {}: the matrix was made with --surroundings {} (heat takes the surroundings from the "
+            "materials file). Make it without.",
+            command.load.string(), kept.request.surroundings);
     const bool sampled = std::any_of(kept.matrix.exchanges.begin(), kept.matrix.exchanges.end(),
                                      [](const auto& exchange) { return exchange.is_sampled(); });
     if (sampled && kept.request.level_of != studies::form_factors::LevelOf::matrix)
         throw UserError(
-            fmt::format("--load {}: the level of its intervals is that of each by itself (flows need all at "
-                        "once). Run 'ffstudy form-factors' again with --simultaneous.",
-                        command.load.string()));
+            "--load {}: the level of its intervals is that of each by itself (flows need all at "
+            "once). Run 'ffstudy form-factors' again with --simultaneous.",
+            command.load.string());
     return kept;
 }
 
@@ -63,15 +63,14 @@ studies::heat::FlowTolerance flow_tolerance_of(const HeatCommand& command, const
     const bool samples_flows = command.tolerance_of == "flux";
     if (samples_flows && command.flow_tolerance)
         throw UserError(
-            fmt::format("--flow-tolerance {}: with --tolerance-of flux (--tolerance is that of flows then). Give "
-                        "--tolerance alone.",
-                        *command.flow_tolerance));
+            "--flow-tolerance {}: with --tolerance-of flux (--tolerance is that of flows then). Give "
+            "--tolerance alone.",
+            *command.flow_tolerance);
     const std::string_view option = samples_flows ? "--tolerance" : "--flow-tolerance";
     const auto& text = samples_flows ? command.tolerance : command.flow_tolerance;
     const auto tolerance = text ? studies::heat::read_flow_tolerance(option, *text) : studies::heat::FlowTolerance{};
     if (tolerance.is_power && materials.are_light())
-        throw UserError(
-            fmt::format("{} {} (light is in the units of its emission). Write a share, such as 0.1%.", option, *text));
+        throw UserError("{} {} (light is in the units of its emission). Write a share, such as 0.1%.", option, *text);
     return tolerance;
 }
 
@@ -80,14 +79,14 @@ double factor_tolerance_of(const HeatCommand& command) {
     if (!command.tolerance) return by_default;
     if (const auto tolerance = parse_bare_number<double>(*command.tolerance)) return *tolerance;
     throw UserError(
-        fmt::format("--tolerance {} (not a number, as a tolerance of form factors is). Write 1e-4, or add "
-                    "--tolerance-of flux.",
-                    *command.tolerance));
+        "--tolerance {} (not a number, as a tolerance of form factors is). Write 1e-4, or add "
+        "--tolerance-of flux.",
+        *command.tolerance);
 }
 
 ExitCode heat(const HeatCommand& command) {
     if (!(command.scale >= 1e-9 && command.scale <= 1e9))
-        throw UserError(fmt::format("--scale {} (1e-9 to 1e9 metres). Write 0.001 for millimetres.", command.scale));
+        throw UserError("--scale {} (1e-9 to 1e9 metres). Write 0.001 for millimetres.", command.scale);
     const bool is_loaded = !command.factors.load.empty();
     if (!is_loaded && command.factors.scene.empty()) throw UserError("SCENE is missing. See 'ffstudy heat --help'.");
     auto kept = is_loaded ? load_of_all_at_once(command.factors) : prepare_form_factors(command.factors);

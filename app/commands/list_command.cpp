@@ -148,7 +148,7 @@ std::vector<Explanation> explanations_of(const std::string& name, const std::opt
     }
     if (!found.empty()) return found;
     const std::vector<std::string_view> known(names.begin(), names.end());
-    throw UserError(fmt::format("'{}' is unknown. {}See 'ffstudy list'.", name, did_you_mean(name, known)));
+    throw UserError("'{}' is unknown. {}See 'ffstudy list'.", name, did_you_mean(name, known));
 }
 
 std::vector<std::string> names_of_kind(const ListedKind& kind) {

@@ -28,8 +28,8 @@ std::vector<std::filesystem::path> stores_of(const MergeCommand& command, const 
         stores.push_back(store_of(source));
         std::error_code missing;
         if (std::filesystem::equivalent(stores.back(), target, missing)) {
-            throw UserError(fmt::format("--out {}: one of the stores to be merged lies there. Choose another folder.",
-                                        command.out.string()));
+            throw UserError("--out {}: one of the stores to be merged lies there. Choose another folder.",
+                            command.out.string());
         }
     }
     return stores;

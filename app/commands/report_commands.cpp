@@ -93,19 +93,18 @@ double length_in_mm(const std::string& option, const std::string& text) {
         const double mm = parse_bare_number<double>(number).value_or(0) * unit.mm;
         if (mm >= least_mm && mm <= most_mm) return mm;
     }
-    throw UserError(
-        fmt::format(R"({} {} (a length from {:g} to {:g} mm, in mm, cm, in or pt). Write it like "84mm" or "3.3in".)",
-                    option, text, least_mm, most_mm));
+    throw UserError(R"({} {} (a length from {:g} to {:g} mm, in mm, cm, in or pt). Write it like "84mm" or "3.3in".)",
+                    option, text, least_mm, most_mm);
 }
 
 reports::FigureStyle style_of(const FigureCommand& command) {
     reports::FigureStyle style{length_in_mm("--width", command.width), std::nullopt, command.font_size, command.font};
     if (!command.height.empty()) style.height = length_in_mm("--height", command.height);
     if (!(style.font_size >= 4 && style.font_size <= 40))
-        throw UserError(fmt::format("--font-size {:g} (from 4 to 40 points). Take another.", style.font_size));
+        throw UserError("--font-size {:g} (from 4 to 40 points). Take another.", style.font_size);
     if (command.font.find_first_of("\"<>&") != std::string::npos)
-        throw UserError(fmt::format("--font {} (no font has such a name). Name a family, like \"Latin Modern Roman\".",
-                                    command.font));
+        throw UserError("--font {} (no font has such a name). Name a family, like \"Latin Modern Roman\".",
+                        command.font);
     return style;
 }
 
@@ -114,8 +113,8 @@ void expect_methods(const std::vector<std::string>& wanted, const studies::Study
     for (const studies::Method& method : plan.spec.methods) known.push_back(method.name);
     for (const std::string& name : wanted) {
         if (std::find(known.begin(), known.end(), name) == known.end())
-            throw UserError(fmt::format("--methods {} (the study has none of this name). {}Its methods: {}.", name,
-                                        did_you_mean(name, known), fmt::join(known, ", ")));
+            throw UserError("--methods {} (the study has none of this name). {}Its methods: {}.", name,
+                            did_you_mean(name, known), fmt::join(known, ", "));
     }
 }
 
@@ -145,11 +144,10 @@ reports::Picture find_picture(const std::vector<reports::Picture>& all, const Fi
     const std::string what =
         command.pairs.empty() ? command.picture : fmt::format("{} --pairs {}", command.picture, command.pairs);
     if (found.empty())
-        throw UserError(
-            fmt::format("{} (there is no such picture). There are: {}; 'ffstudy figure {}' says what they show.", what,
-                        names_of_pictures(all), command.results.string()));
-    throw UserError(fmt::format("{} (that can be {} pictures: {}). Name one, or its class with --pairs.", what,
-                                found.size(), names_of_pictures(found)));
+        throw UserError("{} (there is no such picture). There are: {}; 'ffstudy figure {}' says what they show.", what,
+                        names_of_pictures(all), command.results.string());
+    throw UserError("{} (that can be {} pictures: {}). Name one, or its class with --pairs.", what, found.size(),
+                    names_of_pictures(found));
 }
 
 void list_pictures(const std::vector<reports::Picture>& all) {

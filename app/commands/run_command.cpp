@@ -99,7 +99,7 @@ ExitCode assist(const Processes& processes, const RunCommand& command) {
 
 void save_study(const std::filesystem::path& file, const studies::StudySpec& spec) {
     if (file.extension() != ".toml") {
-        throw UserError(fmt::format("--save-study {}: study files end in .toml. Choose such a name.", file.string()));
+        throw UserError("--save-study {}: study files end in .toml. Choose such a name.", file.string());
     }
     const OutputFolder folder(reports::folder_of(file), "study file");
     reports::write_file(file, studies::to_toml(spec));
@@ -114,10 +114,10 @@ void expect_wanted(const studies::CommonTrials& common, const std::filesystem::p
                    const std::string& difference) {
     if (common.left_behind == 0) return;
     const std::uint64_t saved = common.reused + common.left_behind;
-    throw UserError(fmt::format(
+    throw UserError(
         "{}: holds another study (differs in {}): {} of its {} trials are none of this one. Choose another --out, or "
         "add --replace, which keeps the old store aside.",
-        file.string(), difference, common.left_behind, saved));
+        file.string(), difference, common.left_behind, saved);
 }
 
 /// A name that no file has.
@@ -133,8 +133,7 @@ std::filesystem::path place_aside(const std::filesystem::path& folder) {
 studies::Store open_whole(const std::filesystem::path& file) {
     studies::Store store = studies::Store::create_or_resume(file, studies::Store::open(file).plan());
     if (!store.seal()) {
-        throw UserError(
-            fmt::format("{}: another program has it open. Close that one, or choose another --out.", file.string()));
+        throw UserError("{}: another program has it open. Close that one, or choose another --out.", file.string());
     }
     return store;
 }
@@ -208,8 +207,8 @@ void expect_room_on_disk(const RunRequest& request, const std::filesystem::path&
                                          size_in_words(more), size_in_words(free));
     // The expected size is right within a factor of two; a goal or a time limit may end the run earlier.
     if (more / 2 > free && !request.plan.spec.until && !request.max_time) {
-        throw UserError(fmt::format(
-            "{} (the run would end with a full disk). Take fewer trials, another --out, or a --max-time.", text));
+        throw UserError("{} (the run would end with a full disk). Take fewer trials, another --out, or a --max-time.",
+                        text);
     }
     if (!quiet) say("note: {}.\n", text);
 }

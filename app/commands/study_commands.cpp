@@ -13,8 +13,6 @@
 #include "studies/spec/spec.hpp"
 #include "studies/store/store.hpp"
 
-#include <fmt/format.h>
-
 namespace ff::app {
 namespace {
 
@@ -41,7 +39,7 @@ studies::StudyPlan make_plan(const RunCommand& command, const Processes& process
     if (command.seed) spec.seed = checked_seed(*command.seed);
     if (command.level) {
         if (!stats::is_level(*command.level))
-            throw UserError(fmt::format("--level {} (above 0.5, at most 1 - 1e-9). Try 0.95.", *command.level));
+            throw UserError("--level {} (above 0.5, at most 1 - 1e-9). Try 0.95.", *command.level);
         spec.level = *command.level;
     }
     if (command.radiosity) {
@@ -65,9 +63,9 @@ unsigned threads_within(const studies::StudyPlan& plan, unsigned threads, std::u
     const std::uint64_t least = studies::expected_memory(plan, threads);
     if (least <= memory) return threads;
     throw UserError(
-        fmt::format("--max-memory {}: too little for '{}' (about {} on one thread). Give more, or take fewer trials or "
-                    "patches.",
-                    size_in_words(memory), plan.spec.name, size_in_words(least)));
+        "--max-memory {}: too little for '{}' (about {} on one thread). Give more, or take fewer trials or "
+        "patches.",
+        size_in_words(memory), plan.spec.name, size_in_words(least));
 }
 
 void add_run_options(CommandDefinition& sub, RunCommand& command) {

@@ -83,8 +83,8 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / ".f
         ::close(descriptor_);
         if (locked) continue;  // its holder removed it in between
         if (std::chrono::steady_clock::now() > end) {
-            throw IoError(fmt::format("{}: in use ({}). Wait until it has ended, or choose another --out.",
-                                      folder.string(), holder(file_)));
+            throw IoError("{}: in use ({}). Wait until it has ended, or choose another --out.", folder.string(),
+                          holder(file_));
         }
         std::this_thread::sleep_for(lock_pause);
     }

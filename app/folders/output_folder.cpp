@@ -22,8 +22,7 @@ constexpr const char* list_name = ".ffstudy.files";
 std::filesystem::path make_folder(std::filesystem::path folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (error)
-        throw IoError(fmt::format("{}: cannot be made ({}). Choose another --out.", folder.string(), error.message()));
+    if (error) throw IoError("{}: cannot be made ({}). Choose another --out.", folder.string(), error.message());
     return folder;
 }
 
@@ -159,16 +158,15 @@ void OutputFolder::expect_own(const std::vector<std::string>& names) const {
         const auto status = std::filesystem::symlink_status(file);
         if (!std::filesystem::exists(status)) continue;
         if (std::filesystem::is_directory(status)) {
-            throw IoError(fmt::format(
-                "{}: cannot be written (a folder is in the way). Remove it, or choose another --out.", file.string()));
+            throw IoError("{}: cannot be written (a folder is in the way). Remove it, or choose another --out.",
+                          file.string());
         }
         if (is_own(name)) continue;
         const auto known = owners_.find(name);
-        throw IoError(
-            fmt::format("{}: not replaced ({}). Move it away, or choose another --out.", file.string(),
-                        known == owners_.end()
-                            ? std::string("ffstudy has not written it")
-                            : fmt::format("it is of another {}", known->second.substr(0, known->second.find(' ')))));
+        throw IoError("{}: not replaced ({}). Move it away, or choose another --out.", file.string(),
+                      known == owners_.end()
+                          ? std::string("ffstudy has not written it")
+                          : fmt::format("it is of another {}", known->second.substr(0, known->second.find(' '))));
     }
 }
 
@@ -182,8 +180,8 @@ void OutputFolder::claim(const std::string& name) {
     out << '\n' << owner_ << '\t' << name;
     out.close();
     if (!out) {
-        throw IoError(fmt::format("{}: cannot be written. Check the folder, its permissions and the free space.",
-                                  (path_ / list_name).string()));
+        throw IoError("{}: cannot be written. Check the folder, its permissions and the free space.",
+                      (path_ / list_name).string());
     }
     owners_[name] = owner_;
 }
@@ -207,7 +205,7 @@ void OutputFolder::remove(const std::string& name) {
     expect_own({name});
     std::error_code error;
     std::filesystem::remove(path_ / name, error);
-    if (error) throw IoError(fmt::format("{}: cannot be removed ({}).", (path_ / name).string(), error.message()));
+    if (error) throw IoError("{}: cannot be removed ({}).", (path_ / name).string(), error.message());
 }
 
 std::filesystem::path OutputFolder::make_workshop() const {
@@ -216,8 +214,8 @@ std::filesystem::path OutputFolder::make_workshop() const {
         std::error_code error;
         if (std::filesystem::create_directory(folder, error)) return folder;
         if (error) {
-            throw IoError(fmt::format("{}: cannot be made ({}). Check the folder, its permissions and the free space.",
-                                      folder.string(), error.message()));
+            throw IoError("{}: cannot be made ({}). Check the folder, its permissions and the free space.",
+                          folder.string(), error.message());
         }
     }
 }

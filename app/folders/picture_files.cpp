@@ -8,7 +8,6 @@
 #include "core/support/error.hpp"
 #include "reports/files/output_file.hpp"
 
-#include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -60,8 +59,7 @@ void run_drawing_program(const std::filesystem::path& program, const std::vector
     }
     const int status = wait_for_child(child);
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-        throw IoError(
-            fmt::format("{}: failed (its message is above). Check the disk and the memory.", program.string()));
+        throw IoError("{}: failed (its message is above). Check the disk and the memory.", program.string());
 }
 
 /// @throws UserError where there is no such program
@@ -69,10 +67,10 @@ std::filesystem::path expect_program(std::string_view name, std::string_view pac
     auto program = find_program(name);
     if (program.empty()) {
         throw UserError(
-            fmt::format("Drawing pictures: needs {} (it is not on PATH). Install it (Debian: apt install {}), or save "
-                        "pictures from "
-                        "report.html.",
-                        name, package));
+            "Drawing pictures: needs {} (it is not on PATH). Install it (Debian: apt install {}), or save "
+            "pictures from "
+            "report.html.",
+            name, package);
     }
     return program;
 }
@@ -121,7 +119,7 @@ void expect_drawable(const reports::Picture& picture, const reports::Templates& 
     const bool follows =
         kind.find("\"y_step\"") != std::string::npos || picture.values.find("\"aspect\"") != std::string::npos;
     if (style.height && follows)
-        throw UserError(fmt::format("--height (that of {} follows from what it shows). Leave it out.", picture.id));
+        throw UserError("--height (that of {} follows from what it shows). Leave it out.", picture.id);
 }
 
 /// Copies the result to its place, completely or not at all.
@@ -164,7 +162,7 @@ void write_figure(const std::filesystem::path& file, const reports::Picture& pic
     const std::string format = file.extension().string();
     const bool converted = format == ".pdf" || format == ".png";
     if (!converted && format != ".svg")
-        throw UserError(fmt::format("--out {} (a figure ends in .pdf, .svg or .png). Name it so.", file.string()));
+        throw UserError("--out {} (a figure ends in .pdf, .svg or .png). Name it so.", file.string());
     converted ? expect_pdf_programs() : expect_svg_programs();
     expect_drawable(picture, templates, style);
     const OutputFolder folder(reports::folder_of(file), "figure");

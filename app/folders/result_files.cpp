@@ -131,8 +131,7 @@ const KnownFormat& find_format(std::string_view name) {
     if (found != known_formats.end()) return *found;
     std::vector<std::string_view> names;
     for (const KnownFormat& each : known_formats) names.push_back(each.format.name);
-    throw UserError(
-        fmt::format("--format {} is unknown. {}Known: {}.", name, did_you_mean(name, names), fmt::join(names, ", ")));
+    throw UserError("--format {} is unknown. {}Known: {}.", name, did_you_mean(name, names), fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -155,8 +154,8 @@ std::vector<reports::Picture> chosen_pictures(const studies::StudyResults& resul
     };
     for (const std::string& name : names) {
         if (std::none_of(pictures.begin(), pictures.end(), [&](const auto& picture) { return is_of(picture, name); }))
-            throw UserError(fmt::format(
-                "--pictures {} (no picture has a name that begins so). 'ffstudy figure RESULTS' lists them.", name));
+            throw UserError(
+                "--pictures {} (no picture has a name that begins so). 'ffstudy figure RESULTS' lists them.", name);
     }
     if (names.empty()) return pictures;
     std::erase_if(pictures, [&](const reports::Picture& picture) {

@@ -5,8 +5,6 @@
 
 #include "app/build_info.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace ff::app {
@@ -56,8 +54,8 @@ std::filesystem::path find_study(const std::string& name_or_file) {
     if (std::filesystem::exists(file) || file.extension() == ".toml") return file;
     std::vector<std::string_view> names;
     for (const BuiltInStudy& study : list) names.push_back(study.name);
-    throw UserError(fmt::format("'{}' is neither a study file nor a built-in study. {}See 'ffstudy list studies'.",
-                                name_or_file, did_you_mean(name_or_file, names)));
+    throw UserError("'{}' is neither a study file nor a built-in study. {}See 'ffstudy list studies'.", name_or_file,
+                    did_you_mean(name_or_file, names));
 }
 
 reports::Templates find_templates(const std::filesystem::path& own) {

@@ -80,14 +80,14 @@ std::optional<std::chrono::duration<double>> parse_duration(const std::optional<
     const auto seconds = quantity(*text, time_units);
     // Clocks count nanoseconds in 63 bits.
     if (seconds && *seconds < 1e9) return std::chrono::duration<double>(*seconds);
-    throw UserError(fmt::format("{} {}: not a duration (90, 90s, 15m, 2.5h and 1d are). Give one.", option, *text));
+    throw UserError("{} {}: not a duration (90, 90s, 15m, 2.5h and 1d are). Give one.", option, *text);
 }
 
 std::optional<std::uint64_t> parse_size(const std::optional<std::string>& text) {
     if (!text) return std::nullopt;
     const auto bytes = quantity(*text, size_units);
     if (bytes && *bytes >= 1 && *bytes < 0x1p63) return static_cast<std::uint64_t>(*bytes);
-    throw UserError(fmt::format("--max-memory {}: not a size (500M and 2G are). Give one.", *text));
+    throw UserError("--max-memory {}: not a size (500M and 2G are). Give one.", *text);
 }
 
 std::string size_in_words(std::uint64_t bytes) {

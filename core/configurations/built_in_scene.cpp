@@ -108,8 +108,7 @@ Scene built_in_scene(std::string_view name) {
     } else if (name.substr(0, box_prefix.size()) == box_prefix) {
         const auto edges = parse_edges(name.substr(box_prefix.size()));
         if (!edges) {
-            throw UserError(
-                fmt::format("scene {} (a box needs three numbers, box:AxBxC). Try box:2x1x0.5.", excerpt(name)));
+            throw UserError("scene {} (a box needs three numbers, box:AxBxC). Try box:2x1x0.5.", excerpt(name));
         }
         scene = make_box((*edges)[0], (*edges)[1], (*edges)[2]);
     } else {
@@ -117,9 +116,9 @@ Scene built_in_scene(std::string_view name) {
         if (!configuration) configuration = configuration_scene(name);
         if (!configuration) {
             throw UserError(
-                fmt::format("scene {} (unknown; built in are cube, box:AxBxC and those that 'ffstudy list "
-                            "scenes' shows). {}",
-                            excerpt(name), suggestion(name)));
+                "scene {} (unknown; built in are cube, box:AxBxC and those that 'ffstudy list "
+                "scenes' shows). {}",
+                excerpt(name), suggestion(name));
         }
         scene = std::move(*configuration);
     }
@@ -137,8 +136,7 @@ std::optional<Scene> family_scene(std::string_view name) {
     if (family == nullptr || colon == std::string_view::npos) return std::nullopt;
     const auto measure = parse_bare_number<double>(name.substr(colon + 1));
     const auto refuse = [&](std::string_view why) {
-        throw UserError(
-            fmt::format("scene {} ({}). Try {}:{}.", excerpt(name), why, family->name, family->of_catalogue));
+        throw UserError("scene {} ({}). Try {}:{}.", excerpt(name), why, family->name, family->of_catalogue);
     };
     if (!measure) refuse(fmt::format("behind the colon stands the {}, a number", family->measure));
     // Written so that NaN fails as well.

@@ -4,7 +4,6 @@
 #include "core/geometry/convex_polygon.hpp"
 #include "core/support/error.hpp"
 
-#include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
@@ -28,15 +27,14 @@ void expect_positive(std::string_view configuration,
                      std::initializer_list<std::pair<std::string_view, long double>> parameters) {
     for (const auto& [name, value] : parameters) {
         if (std::isfinite(value) && value > 0) continue;
-        throw UserError(
-            fmt::format("{}: {} = {:g} (a length or ratio of it has to be positive and finite). Correct it.",
-                        configuration, name, value));
+        throw UserError("{}: {} = {:g} (a length or ratio of it has to be positive and finite). Correct it.",
+                        configuration, name, value);
     }
 }
 
 /// @throws UserError "CONFIGURATION: PROBLEM" unless `holds`
 void expect_valid(bool holds, std::string_view configuration, std::string_view problem) {
-    if (!holds) throw UserError(fmt::format("{}: {}", configuration, problem));
+    if (!holds) throw UserError("{}: {}", configuration, problem);
 }
 
 using Real = long double;

@@ -3,8 +3,6 @@
 #include "core/estimators/entry.hpp"
 #include "core/support/error.hpp"
 
-#include <fmt/format.h>
-
 #include <map>
 #include <utility>
 
@@ -50,9 +48,9 @@ AddedEstimator::AddedEstimator(Texts texts, EstimatorInfo traits, Refusal refusa
         }
         if (!known)
             throw UserError(
-                fmt::format("estimator \"{}\" (only its results are here, not the program). Name the program, as when "
-                            "the study was run.",
-                            texts_.name));
+                "estimator \"{}\" (only its results are here, not the program). Name the program, as when "
+                "the study was run.",
+                texts_.name);
         return known(scene);
     };
 }
@@ -80,8 +78,7 @@ const EstimatorEntry& add(std::unique_ptr<AddedEstimator> estimator, const std::
     const std::string name(estimator->entry().info.name);
     for (const EstimatorEntry& known : estimators()) {
         if (known.info.name == name || known.info.name == short_name)
-            throw UserError(
-                fmt::format("estimator \"{}\" (there is one of this name already). Rename it.", known.info.name));
+            throw UserError("estimator \"{}\" (there is one of this name already). Rename it.", known.info.name);
     }
     Registry& all = registry();
     const std::lock_guard lock(all.mutex);

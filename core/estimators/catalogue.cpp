@@ -96,8 +96,8 @@ const EstimatorEntry& find_estimator(std::string_view name) {
     if (const auto* const added = find_added_estimator(name)) return added->entry();
     std::vector<std::string_view> names;
     for (const EstimatorEntry& estimator : estimators()) names.push_back(estimator.info.name);
-    throw UserError(fmt::format("estimator \"{}\" (there is none of this name). {}Known estimators: {}.", excerpt(name),
-                                did_you_mean(name, names, '"'), fmt::join(names, ", ")));
+    throw UserError("estimator \"{}\" (there is none of this name). {}Known estimators: {}.", excerpt(name),
+                    did_you_mean(name, names, '"'), fmt::join(names, ", "));
 }
 
 std::string refusal_of(const EstimatorInfo& info, const Scene& scene) {

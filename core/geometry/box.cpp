@@ -18,14 +18,13 @@ constexpr double longest_edge = 1e70;
 
 void require_edge(std::string_view edge, double length) {
     if (!std::isfinite(length) || length <= 0) {
-        throw UserError(
-            fmt::format("box edge {} = {} (an edge needs a finite, positive length). Try {} = 1.", edge, length, edge));
+        throw UserError("box edge {} = {} (an edge needs a finite, positive length). Try {} = 1.", edge, length, edge);
     }
     if (length < shortest_edge || length > longest_edge) {
         throw UserError(
-            fmt::format("box edge {} = {} (only {} to {} can be computed with). Choose another unit of "
-                        "length: form factors do not depend on it.",
-                        edge, length, shortest_edge, longest_edge));
+            "box edge {} = {} (only {} to {} can be computed with). Choose another unit of "
+            "length: form factors do not depend on it.",
+            edge, length, shortest_edge, longest_edge);
     }
 }
 

@@ -3,8 +3,6 @@
 #include "core/support/error.hpp"
 #include "core/support/processor_time.hpp"
 
-#include <fmt/format.h>
-
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -56,8 +54,8 @@ constexpr std::size_t kept_of_errors = 2000;
 constexpr int milliseconds_between_looks = 5;
 
 [[noreturn]] void fail_to_start(const std::string& program, int error) {
-    throw IoError(fmt::format("{}: cannot be started ({}). Check its name and its installation.", program,
-                              std::generic_category().message(error)));
+    throw IoError("{}: cannot be started ({}). Check its name and its installation.", program,
+                  std::generic_category().message(error));
 }
 
 Pipe make_pipe(const std::string& program) {

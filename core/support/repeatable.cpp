@@ -2,22 +2,20 @@
 
 #include "core/support/error.hpp"
 
-#include <fmt/format.h>
-
 namespace ff {
 
 void Repeatable::refuse_unrepeatable(std::string_view title, std::string_view what) const {
-    throw UserError(fmt::format(
+    throw UserError(
         "{}: run twice, it {} different {} (they must follow from seed and sizes alone, not from the time or "
         "a generator that runs on). Let its random numbers follow from {}.",
-        title, words_.gives, what, words_.seed));
+        title, words_.gives, what, words_.seed);
 }
 
 void Repeatable::refuse_seedless(std::string_view title, std::string_view what) const {
     throw UserError(
-        fmt::format("{}: {} the same {} for every seed (trials would be equal). Let its random numbers follow from {}, "
-                    "or {} where nothing is random.",
-                    title, words_.gives, what, words_.seed, words_.no_seed));
+        "{}: {} the same {} for every seed (trials would be equal). Let its random numbers follow from {}, "
+        "or {} where nothing is random.",
+        title, words_.gives, what, words_.seed, words_.no_seed);
 }
 
 }  // namespace ff

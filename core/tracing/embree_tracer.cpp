@@ -34,7 +34,7 @@ constexpr double place_rounding = 0x1p-21;
 
 void require_no_error(const embree::Device& device, const char* what) {
     if (const RTCError error = rtcGetDeviceError(device.get()); error != RTC_ERROR_NONE)
-        throw UserError(fmt::format("Embree: {} failed with error {}. Allow more memory.", what, int{error}));
+        throw UserError("Embree: {} failed with error {}. Allow more memory.", what, int{error});
 }
 
 enum class Kind { quads, triangles, round };

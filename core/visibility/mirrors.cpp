@@ -18,8 +18,8 @@ int face_to_mirror(const Scene& scene, const std::string& label) {
     const auto found = std::find(scene.faces.begin(), scene.faces.end(), label);
     if (found != scene.faces.end()) return static_cast<int>(found - scene.faces.begin());
     const std::vector<std::string_view> known(scene.faces.begin(), scene.faces.end());
-    throw UserError(fmt::format("mirrors: scene '{}' has no face '{}'. {}Its faces are {}.", scene.name, excerpt(label),
-                                did_you_mean(label, known), fmt::join(scene.faces, ", ")));
+    throw UserError("mirrors: scene '{}' has no face '{}'. {}Its faces are {}.", scene.name, excerpt(label),
+                    did_you_mean(label, known), fmt::join(scene.faces, ", "));
 }
 
 }  // namespace
@@ -44,19 +44,19 @@ Scene with_mirrors(Scene scene, std::span<const std::string> faces) {
         labels.push_back(scene.faces[face]);
     }
     if (labels.empty()) {
-        throw UserError(fmt::format(
+        throw UserError(
             "mirrors: every face of scene '{}' is one (no face is left to send or receive light). Leave one out.",
-            scene.name));
+            scene.name);
     }
     for (Surface& surface : scene.surfaces) {
         if (!is_of_face(surface)) continue;
         const auto face = static_cast<std::size_t>(surface.face);
         surface.face = number[face];
         if (is_mirror[face] && !is_flat(surface.shape)) {
-            throw UserError(fmt::format(
+            throw UserError(
                 "mirrors: face '{}' of scene '{}' is curved (images of it are distorted: only flat faces can be "
                 "mirrors). Leave it out.",
-                scene.faces[face], scene.name));
+                scene.faces[face], scene.name);
         }
     }
     scene.faces = std::move(labels);

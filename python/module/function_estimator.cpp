@@ -82,11 +82,11 @@ class FunctionEstimator final : public Estimator {
     [[nodiscard]] Eigen::MatrixXd matrix(const py::handle& made, const std::string& origin) const {
         const Numbers rows = Numbers::ensure(made);
         if (!rows || rows.ndim() != 2 || rows.shape(0) != faces_ || rows.shape(1) != faces_)
-            throw UserError(fmt::format("{}: returned no array of shape ({}, {}). Return a row for each face.", origin,
-                                        faces_, faces_));
+            throw UserError("{}: returned no array of shape ({}, {}). Return a row for each face.", origin, faces_,
+                            faces_);
         auto numbers = rows.cast<Eigen::MatrixXd>();
         if (!numbers.allFinite())
-            throw UserError(fmt::format("{}: returned a number that is not finite. Correct the function.", origin));
+            throw UserError("{}: returned a number that is not finite. Correct the function.", origin);
         return numbers;
     }
 
@@ -101,10 +101,10 @@ class FunctionEstimator final : public Estimator {
             const auto both = py::reinterpret_borrow<py::tuple>(made);
             OutsideFactors factors{matrix(both[0], origin), matrix(both[1], origin)};
             if (factors.errors.minCoeff() < 0)
-                throw UserError(fmt::format("{}: returned an error below 0. Return its size.", origin));
+                throw UserError("{}: returned an error below 0. Return its size.", origin);
             return factors;
         } catch (const py::error_already_set& error) {
-            throw UserError(fmt::format("{}: raised {}", origin, error.what()));
+            throw UserError("{}: raised {}", origin, error.what());
         }
     }
 

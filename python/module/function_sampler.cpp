@@ -30,17 +30,15 @@ void call(PyObject* fill, const std::string& name, const samplers::SetRequest& r
     try {
         const py::object made = py::handle(fill)(request.points, request.dimension, request.seed, request.trial);
         const Rows rows = Rows::ensure(made);
-        if (!rows)
-            throw UserError(fmt::format("{}: returned no array of numbers (n, d). Return numpy.ndarray.", origin));
+        if (!rows) throw UserError("{}: returned no array of numbers (n, d). Return numpy.ndarray.", origin);
         if (rows.ndim() != 2 || static_cast<std::uint64_t>(rows.shape(0)) != request.points ||
             static_cast<std::size_t>(rows.shape(1)) != request.dimension)
-            throw UserError(
-                fmt::format("{}: returned an array of shape {} (expected ({}, {})). Return one row per point.", origin,
-                            py::str(rows.attr("shape")).cast<std::string>(), request.points, request.dimension));
+            throw UserError("{}: returned an array of shape {} (expected ({}, {})). Return one row per point.", origin,
+                            py::str(rows.attr("shape")).cast<std::string>(), request.points, request.dimension);
         samplers::set_of_rows(std::span(rows.data(), static_cast<std::size_t>(rows.size())), request.points,
                               request.dimension, origin, set);
     } catch (const py::error_already_set& error) {
-        throw UserError(fmt::format("{}: raised {}", origin, error.what()));
+        throw UserError("{}: raised {}", origin, error.what());
     }
 }
 

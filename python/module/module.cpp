@@ -12,7 +12,6 @@
 #include "studies/readers/text_file.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
-#include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -68,7 +67,7 @@ Factors form_factors(const std::string& name, const std::optional<std::string>& 
     run_interruptibly([&](const std::atomic<bool>& stop) {
         const Scene scene = scene_of(name, text);
         if (!mirrors(scene).empty())
-            throw UserError(fmt::format("scene '{}': mirrors (pairs are computed one by one). Leave them out.", name));
+            throw UserError("scene '{}': mirrors (pairs are computed one by one). Leave them out.", name);
         studies::form_factors::Request request;
         request.tolerance = tolerance;
         request.level = level;
@@ -98,7 +97,7 @@ std::optional<double> exact(const std::string& name, const std::optional<std::st
     const auto faces = static_cast<int>(scene.faces.size());
     for (const int face : {from, to}) {
         if (face < 1 || face > faces)
-            throw UserError(fmt::format("face {} (scene '{}' has faces 1 to {}). Count from 1.", face, name, faces));
+            throw UserError("face {} (scene '{}' has faces 1 to {}). Count from 1.", face, name, faces);
     }
     return known_factors(scene).at(from - 1, to - 1);
 }

@@ -17,7 +17,6 @@
 #include "studies/run/run.hpp"
 #include "studies/spec/spec.hpp"
 
-#include <fmt/format.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
@@ -107,7 +106,7 @@ StudyTables run(const std::string& text, const std::string& origin, const std::o
                 try {
                     (*progress)(state.units_done, state.units);
                 } catch (const py::error_already_set& error) {
-                    throw UserError(fmt::format("progress: raised {}", error.what()));
+                    throw UserError("progress: raised {}", error.what());
                 }
             };
         }

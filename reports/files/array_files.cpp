@@ -49,7 +49,7 @@ class NpzFile {
     NpzFile(std::ostream& out, std::size_t bytes, std::string_view content) : out_(out) {
         constexpr std::size_t of_headers = 4096;
         if (bytes + of_headers > std::numeric_limits<std::uint32_t>::max())
-            throw UserError(fmt::format("{} (an .npz file holds 4 GiB). Read them from the SQLite file.", content));
+            throw UserError("{} (an .npz file holds 4 GiB). Read them from the SQLite file.", content);
     }
 
     /// Adds an array of signed integers or floating-point numbers. @param shape  as Python writes a tuple
@@ -254,8 +254,7 @@ WritePointSet point_set_format(const std::filesystem::path& file) {
     if (extension == ".csv") return [](std::ostream& out, const PointSet& set) { write_text(out, set, ","); };
     if (extension == ".dat") return [](std::ostream& out, const PointSet& set) { write_text(out, set, " "); };
     if (extension == ".svg") return write_svg;
-    throw UserError(
-        fmt::format("--out {} (the extension says the format). Use .npy, .csv, .dat or .svg.", file.string()));
+    throw UserError("--out {} (the extension says the format). Use .npy, .csv, .dat or .svg.", file.string());
 }
 
 }  // namespace ff::reports

@@ -105,8 +105,8 @@ class Temporary {
 }  // namespace
 
 void fail_to_write(const std::filesystem::path& file, int error) {
-    throw IoError(fmt::format("{}: cannot be written ({}). Check the folder, its permissions and the free space.",
-                              file.string(), error == 0 ? "output error" : std::generic_category().message(error)));
+    throw IoError("{}: cannot be written ({}). Check the folder, its permissions and the free space.", file.string(),
+                  error == 0 ? "output error" : std::generic_category().message(error));
 }
 
 std::filesystem::path folder_of(const std::filesystem::path& file) {

@@ -23,9 +23,9 @@ namespace {
 void expect_few_faces(const Scene& scene, std::string_view format) {
     if (scene.faces.size() <= studies::form_factors::most_dense_faces) return;
     throw UserError(
-        fmt::format("--format {}: scene '{}' has {} faces (the format takes all zeros of the matrix; at "
-                    "most {} are written). Put surfaces into groups.",
-                    format, scene.name, scene.faces.size(), studies::form_factors::most_dense_faces));
+        "--format {}: scene '{}' has {} faces (the format takes all zeros of the matrix; at "
+        "most {} are written). Put surfaces into groups.",
+        format, scene.name, scene.faces.size(), studies::form_factors::most_dense_faces);
 }
 
 /// A row including zeros.
@@ -75,18 +75,17 @@ void expect_energyplus(const Scene& scene) {
     std::set<std::string> names;
     for (const std::string& face : scene.faces) {
         if (face.find_first_of(marks) != std::string::npos)
-            throw UserError(
-                fmt::format("--format energyplus: face '{}' (a name has none of , ; ! there). Rename it.", face));
+            throw UserError("--format energyplus: face '{}' (a name has none of , ; ! there). Rename it.", face);
         if (face.size() > longest_name)
             throw UserError(
-                fmt::format("--format energyplus: face '{}' (a name has at most {} characters there). "
-                            "Shorten it.",
-                            face, longest_name));
+                "--format energyplus: face '{}' (a name has at most {} characters there). "
+                "Shorten it.",
+                face, longest_name);
         if (!names.insert(in_capitals(face)).second)
             throw UserError(
-                fmt::format("--format energyplus: two faces are '{}' in capitals (names are compared so "
-                            "there). Rename one.",
-                            in_capitals(face)));
+                "--format energyplus: two faces are '{}' in capitals (names are compared so "
+                "there). Rename one.",
+                in_capitals(face));
     }
 }
 
@@ -128,13 +127,12 @@ void expect_moose(const Scene& scene) {
     expect_few_faces(scene, "moose");
     if (!scene.closed && !scene.empty_box)
         throw UserError(
-            fmt::format("--format moose: scene '{}' is open (rows have to add up to 1 there). Close it by a "
-                        "face that stands for its surroundings.",
-                        scene.name));
+            "--format moose: scene '{}' is open (rows have to add up to 1 there). Close it by a "
+            "face that stands for its surroundings.",
+            scene.name);
     for (const std::string& face : scene.faces) {
         if (face.find_first_of(" '\"#=[]{};$") != std::string::npos)
-            throw UserError(
-                fmt::format("--format moose: face '{}' (a boundary is a single word there). Rename it.", face));
+            throw UserError("--format moose: face '{}' (a boundary is a single word there). Rename it.", face);
     }
 }
 
@@ -233,8 +231,8 @@ std::vector<ProgramFile> files_of_formats(const std::vector<std::string>& format
     const auto names = names_of_formats();
     for (const std::string& format : formats) {
         if (std::find(names.begin(), names.end(), format) == names.end())
-            throw UserError(fmt::format("--format {} is unknown. {}Known: {}.", format, did_you_mean(format, names),
-                                        program_formats_in_words()));
+            throw UserError("--format {} is unknown. {}Known: {}.", format, did_you_mean(format, names),
+                            program_formats_in_words());
     }
     std::vector<ProgramFile> files;
     for (const ProgramFile& file : known_files) {

@@ -65,8 +65,8 @@ void expect_no_circle(const Templates& templates, const std::string& name, std::
     const bool again = std::find(path.begin(), path.end(), name) != path.end();
     path.push_back(name);
     if (again) {
-        throw UserError(fmt::format("{}: the template includes itself ({}). Leave one of these out.", file->first,
-                                    fmt::join(path, " > ")));
+        throw UserError("{}: the template includes itself ({}). Leave one of these out.", file->first,
+                        fmt::join(path, " > "));
     }
     for (const std::string& next : included_in(file->second)) expect_no_circle(templates, next, path);
     path.pop_back();
@@ -86,8 +86,8 @@ std::string fill_template(const Templates& templates, std::string_view name, con
     const std::string file = fmt::format("{}{}", name, extension);
     mustache::mustache document(templates.text(file));
     if (!document.is_valid()) {
-        throw UserError(fmt::format("{}: malformed template ({}). Fix it.", file,
-                                    studies::visible_text(excerpt(document.error_message()))));
+        throw UserError("{}: malformed template ({}). Fix it.", file,
+                        studies::visible_text(excerpt(document.error_message())));
     }
     document.set_custom_escape(escape);
     return document.render(data);

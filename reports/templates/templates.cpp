@@ -2,8 +2,6 @@
 
 #include "core/support/error.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -18,7 +16,7 @@ std::string read_text(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::ostringstream text;
     text << in.rdbuf();
-    if (!in) throw IoError(fmt::format("{}: cannot be read. Check the permissions.", file.string()));
+    if (!in) throw IoError("{}: cannot be read. Check the permissions.", file.string());
     return std::move(text).str();
 }
 
@@ -34,8 +32,8 @@ Templates Templates::read(std::span<const std::filesystem::path> folders) {
                 files.insert_or_assign(entry.path().filename().string(), read_text(entry.path()));
         }
         if (error) {
-            throw IoError(fmt::format("{}: no folder of templates ({}). Give one that can be read.", folder.string(),
-                                      error.message()));
+            throw IoError("{}: no folder of templates ({}). Give one that can be read.", folder.string(),
+                          error.message());
         }
     }
     return Templates(std::move(files));
@@ -45,9 +43,9 @@ const std::string& Templates::text(std::string_view name) const {
     const auto found = files_.find(name);
     if (found == files_.end()) {
         throw UserError(
-            fmt::format("{}: no such template (the installation is not whole). Install ffstudy again, or "
-                        "add the file to the folder given with --templates.",
-                        name));
+            "{}: no such template (the installation is not whole). Install ffstudy again, or "
+            "add the file to the folder given with --templates.",
+            name);
     }
     return found->second;
 }

@@ -5,8 +5,6 @@
 
 #include <boost/math/special_functions/legendre.hpp>
 
-#include <fmt/format.h>
-
 namespace ff::samplers {
 namespace {
 
@@ -14,8 +12,8 @@ constexpr std::size_t source_coordinates = 2;
 
 void require_nodes(std::uint32_t nodes, const char* patch) {
     if (nodes >= 1 && nodes <= GaussLegendre::max_nodes) return;
-    throw UserError(fmt::format("{} nodes a side on the {} patch (gauss_legendre has rules of 1 to {} nodes). Try 5.",
-                                nodes, patch, GaussLegendre::max_nodes));
+    throw UserError("{} nodes a side on the {} patch (gauss_legendre has rules of 1 to {} nodes). Try 5.", nodes, patch,
+                    GaussLegendre::max_nodes);
 }
 
 /// 1 / ((1 - x^2) P_n'(x)^2): half the weight on [-1, 1].

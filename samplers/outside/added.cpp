@@ -5,8 +5,6 @@
 
 #include <map>
 
-#include <fmt/format.h>
-
 namespace ff::samplers {
 namespace {
 
@@ -31,7 +29,7 @@ void expect_free(std::string_view name) {
     for (const auto samplers : {catalogue(), controls()}) {
         for (const CatalogueEntry& known : samplers) {
             if (known.info.name == name)
-                throw UserError(fmt::format("sampler \"{}\" (there is one of this name already). Rename it.", name));
+                throw UserError("sampler \"{}\" (there is one of this name already). Rename it.", name);
         }
     }
 }
@@ -59,9 +57,9 @@ std::unique_ptr<PointSource> AddedSampler::make(const PointSetSpec& spec) const 
     }
     if (!make)
         throw UserError(
-            fmt::format("sampler \"{}\" (only its results are here, not what makes its points). Load its plug-in, or "
-                        "name its program, as when the study was run.",
-                        texts_.name));
+            "sampler \"{}\" (only its results are here, not what makes its points). Load its plug-in, or "
+            "name its program, as when the study was run.",
+            texts_.name);
     return make(spec);
 }
 
@@ -78,8 +76,8 @@ const CatalogueEntry& add(std::unique_ptr<AddedSampler> sampler, const std::stri
     const std::lock_guard lock(all.mutex);
     const auto other = all.short_names.find(short_name);
     if (taken == ShortName::stays && other != all.short_names.end() && other->second->entry().info.name != name)
-        throw UserError(fmt::format("sampler \"{}\" (there are two of this name, {} and {}). Leave one out.",
-                                    short_name, other->second->entry().info.name, name));
+        throw UserError("sampler \"{}\" (there are two of this name, {} and {}). Leave one out.", short_name,
+                        other->second->entry().info.name, name);
     const auto [at, is_new] = all.samplers.try_emplace(name);
     if (is_new)
         at->second = std::move(sampler);

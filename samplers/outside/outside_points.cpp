@@ -48,9 +48,8 @@ std::string in_words(const SetRequest& request) {
 void expect_whole(const std::string& origin, const SetRequest& request) {
     constexpr std::uint64_t most = std::uint64_t{1} << 28;  // 2 GiB of doubles
     if (request.points <= most / request.dimension) return;
-    throw UserError(
-        fmt::format("{}: {} points of {} coordinates (made at once, a set has at most {} numbers). Take fewer points.",
-                    origin, request.points, request.dimension, most));
+    throw UserError("{}: {} points of {} coordinates (made at once, a set has at most {} numbers). Take fewer points.",
+                    origin, request.points, request.dimension, most);
 }
 
 FillPart parts_of(MakeSet make) {

@@ -11,11 +11,10 @@ namespace ff::samplers {
 PointSet draw_set(const CatalogueEntry& sampler, const DrawnSet& wanted) {
     const SamplerInfo& info = sampler.info;
     if (!info.equal_weights)
-        throw UserError(
-            fmt::format("{} (its points have weights, which are not drawn). Choose another sampler.", info.name));
+        throw UserError("{} (its points have weights, which are not drawn). Choose another sampler.", info.name);
     if (info.most_trials != 0 && wanted.trial >= info.most_trials)
-        throw UserError(fmt::format("trial {} ({} has {}, counted from 0). Take a smaller number.", wanted.trial,
-                                    info.name, info.most_trials));
+        throw UserError("trial {} ({} has {}, counted from 0). Take a smaller number.", wanted.trial, info.name,
+                        info.most_trials);
     const auto source = sampler.make({.points = wanted.points, .dimension = wanted.dimension});
     const Stream stream{.key = derive_key(Seed{wanted.seed}, fmt::format("points|{}|d={}|n={}", info.name,
                                                                          wanted.dimension, wanted.points)),

@@ -3,8 +3,6 @@
 #include "core/support/contract.hpp"
 #include "core/support/error.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
@@ -90,9 +88,8 @@ void set_of_rows(std::span<const double> rows, std::uint64_t points, std::size_t
     if (HWY_DYNAMIC_DISPATCH(fix_rows)(rows.data(), points, dimension, set.coordinate.data())) return;
     const auto bad = std::find_if(rows.begin(), rows.end(), [](double x) { return !(x >= 0 && x < 1); });
     const auto index = static_cast<std::uint64_t>(bad - rows.begin());
-    throw UserError(fmt::format("{}: point {}, coordinate {} is {} (counted from 0; not in [0, 1)). {}", origin,
-                                index / dimension, index % dimension, *bad,
-                                *bad == 1 ? "Leave out the upper end." : "Check what makes the points."));
+    throw UserError("{}: point {}, coordinate {} is {} (counted from 0; not in [0, 1)). {}", origin, index / dimension,
+                    index % dimension, *bad, *bad == 1 ? "Leave out the upper end." : "Check what makes the points.");
 }
 
 }  // namespace ff::samplers

@@ -7,8 +7,6 @@
 #include "stats/error_rates/multiplicity.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -23,8 +21,8 @@ int face_number(const Scene& scene, const std::string& label) {
     if (label.empty()) return 0;
     const auto found = std::ranges::find(scene.faces, label);
     if (found == scene.faces.end()) {
-        throw UserError(fmt::format("published tables: face '{}' (scene '{}' has no such face). Use its face labels.",
-                                    label, scene.name));
+        throw UserError("published tables: face '{}' (scene '{}' has no such face). Use its face labels.", label,
+                        scene.name);
     }
     return static_cast<int>(found - scene.faces.begin()) + 1;
 }

@@ -235,8 +235,8 @@ void expect_method(const StudyPlan& plan, const std::string& method) {
     std::vector<std::string_view> names;
     for (const Method& known : plan.spec.methods) names.push_back(known.name);
     if (std::ranges::find(names, method) != names.end()) return;
-    throw UserError(fmt::format("method '{}' (its run has none of this name). {}There are: {}.", method,
-                                did_you_mean(method, names), fmt::join(names, ", ")));
+    throw UserError("method '{}' (its run has none of this name). {}There are: {}.", method,
+                    did_you_mean(method, names), fmt::join(names, ", "));
 }
 
 std::string scenes_of(const StudyPlan& plan) {
@@ -327,15 +327,15 @@ RunComparison compare_runs(const Store& first, const Store& second, std::array<s
     if (out.cells.empty()) {
         for (const ChangedScene& scene : out.changed_scenes) {
             if (!scene.difference.empty())
-                throw UserError(fmt::format(
+                throw UserError(
                     "nothing to compare (scene '{}' has other faces in each run: {}). Run the study again with one "
                     "scene, or give each scene a name of its own.",
-                    scene.name, scene.difference));
+                    scene.name, scene.difference);
         }
-        throw UserError(fmt::format(
+        throw UserError(
             "nothing to compare (no scene, method and size is in both; scenes are {} there and {} here). Give "
             "two runs that share the names of some methods.",
-            scenes_of(a), scenes_of(b)));
+            scenes_of(a), scenes_of(b));
     }
     judge_cells(tests, out);
     add_simultaneous_intervals(out);

@@ -4,8 +4,6 @@
 #include "core/support/error.hpp"
 #include "studies/readers/printable.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -38,13 +36,12 @@ double closure_defect(const Matrix::Sparse& factors) {
 
 void expect_surroundings(const Scene& scene, const std::string& name) {
     if (const std::string_view problem = problem_with_name(name); !problem.empty())
-        throw UserError(fmt::format("--surroundings '{}' {}", name, problem));
+        throw UserError("--surroundings '{}' {}", name, problem);
     if (scene.closed || scene.empty_box)
-        throw UserError(fmt::format("--surroundings {}: scene '{}' is closed (nothing leaves it). Leave it out.", name,
-                                    scene.name));
+        throw UserError("--surroundings {}: scene '{}' is closed (nothing leaves it). Leave it out.", name, scene.name);
     if (std::find(scene.faces.begin(), scene.faces.end(), name) != scene.faces.end())
-        throw UserError(fmt::format("--surroundings {}: scene '{}' has a face of that name. Choose another name.", name,
-                                    scene.name));
+        throw UserError("--surroundings {}: scene '{}' has a face of that name. Choose another name.", name,
+                        scene.name);
 }
 
 Scene with_added_faces(Scene scene, const std::string& surroundings) {
@@ -148,9 +145,9 @@ RepairedFactors compare_repaired(const Matrix& matrix, Matrix::Sparse repaired, 
 void expect_repairable(const Scene& scene) {
     if (scene.closed || scene.empty_box) return;
     throw UserError(
-        fmt::format("--repair: scene '{}' is not said to be closed (its rows need not add up to 1). Say so in the "
-                    "scene file ('# closed', 'closed = true' or 'encl=1'), or leave --repair out.",
-                    scene.name));
+        "--repair: scene '{}' is not said to be closed (its rows need not add up to 1). Say so in the "
+        "scene file ('# closed', 'closed = true' or 'encl=1'), or leave --repair out.",
+        scene.name);
 }
 
 }  // namespace ff::studies::form_factors

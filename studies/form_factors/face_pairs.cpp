@@ -5,8 +5,6 @@
 #include "core/support/error.hpp"
 #include "core/support/free_memory.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -58,9 +56,9 @@ void expect_few_faces(const Scene& scene) {
     constexpr std::size_t most = most_dense_faces;
     if (is_each_looked_at(scene) || scene.faces.size() <= most) return;
     throw UserError(
-        fmt::format("scene '{}': {} faces (of {} surfaces, a matrix of at most {} is made). Put surfaces "
-                    "into groups.",
-                    scene.name, scene.faces.size(), scene.surfaces.size(), most));
+        "scene '{}': {} faces (of {} surfaces, a matrix of at most {} is made). Put surfaces "
+        "into groups.",
+        scene.name, scene.faces.size(), scene.surfaces.size(), most);
 }
 
 /// Leaves all pairs of surfaces to rays.

@@ -8,8 +8,6 @@
 #include "studies/form_factors/matrix_builder.hpp"
 #include "studies/form_factors/sample_pairs.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -26,17 +24,16 @@ constexpr double least_tolerance = 1e-13;
 
 void expect_sense(const Request& request) {
     if (!(request.tolerance >= least_tolerance && request.tolerance < 0.5)) {
-        throw UserError(fmt::format("--tolerance {:g} (from {:g}, the rounding of double precision, to 0.5). Try 1e-5.",
-                                    request.tolerance, least_tolerance));
+        throw UserError("--tolerance {:g} (from {:g}, the rounding of double precision, to 0.5). Try 1e-5.",
+                        request.tolerance, least_tolerance);
     }
     if (!(request.relative >= 0 && request.relative < 1)) {
-        throw UserError(
-            fmt::format("--relative {:g} (a share of each factor, from 0 to below 1). Try 0.01.", request.relative));
+        throw UserError("--relative {:g} (a share of each factor, from 0 to below 1). Try 0.01.", request.relative);
     }
     if (!(request.drop >= 0 && request.drop < 1))
-        throw UserError(fmt::format("--drop {:g} (a form factor, from 0 to below 1). Try 1e-6.", request.drop));
+        throw UserError("--drop {:g} (a form factor, from 0 to below 1). Try 1e-6.", request.drop);
     if (!(request.level > 0.5 && request.level <= 1 - 1e-9)) {
-        throw UserError(fmt::format("--level {:g} (above 0.5, at most 1 - 1e-9). Try 0.95.", request.level));
+        throw UserError("--level {:g} (above 0.5, at most 1 - 1e-9). Try 0.95.", request.level);
     }
 }
 
@@ -45,9 +42,9 @@ void expect_possible(const Scene& scene, const FacePairs& geometry, const Reques
         request.cells ? !std::ranges::all_of(geometry.pairs, &FacePair::by_cells) : !geometry.pairs.empty();
     if (needs_rays && request.tolerance < least_tolerance_of_rays) {
         throw UserError(
-            fmt::format("--tolerance {:g}: some pairs of scene '{}' have to be sampled by rays (which are "
-                        "traced in single precision: {:g} is the least). Take a larger one.",
-                        request.tolerance, scene.name, least_tolerance_of_rays));
+            "--tolerance {:g}: some pairs of scene '{}' have to be sampled by rays (which are "
+            "traced in single precision: {:g} is the least). Take a larger one.",
+            request.tolerance, scene.name, least_tolerance_of_rays);
     }
 }
 

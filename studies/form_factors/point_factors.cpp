@@ -6,8 +6,6 @@
 #include "core/visibility/level_overlaps.hpp"
 #include "core/visibility/visible_polygon.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -20,10 +18,10 @@ using Eigen::Vector3d;
 PointFactors::PointFactors(const Scene& scene) : placement_(placement_of(scene)), scene_(placed(scene, placement_)) {
     for (const Surface& surface : scene_.surfaces) {
         if (!is_polygon(surface.shape))
-            throw UserError(fmt::format(
+            throw UserError(
                 "--from: scene '{}' has curved surfaces (what a point sees is found past polygons). Make them polygons "
                 "by 'ffstudy convert --facets'.",
-                scene.name));
+                scene.name);
         boxes_.push_back(box_around(surface));
     }
     constexpr double roundings = 64;  // of the distance from a plane

@@ -104,8 +104,8 @@ StreamKey Rounds::key_of(std::string_view samples) const {
 bool Rounds::allows(std::uint64_t least) const {
     if (least <= left_) return true;
     if (samples_ > 0) return false;
-    throw UserError(fmt::format("--max-samples {} (the smallest rounds of this scene take {}). Allow more.",
-                                request_.max_samples, least));
+    throw UserError("--max-samples {} (the smallest rounds of this scene take {}). Allow more.", request_.max_samples,
+                    least);
 }
 
 std::uint64_t Rounds::planned() const {

@@ -3,8 +3,6 @@
 #include "core/support/error.hpp"
 #include "studies/form_factors/rounds.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <exception>
 #include <thread>
@@ -121,9 +119,9 @@ class RowSampling {
         if (found == rows_.end() ||
             !std::ranges::equal(row.estimates, found->second, {}, &std::pair<std::uint32_t, PairEstimate>::first)) {
             throw UserError(
-                fmt::format("row {} was sampled for another matrix (by another version of ffstudy?). Begin again in "
-                            "another folder.",
-                            row.row + 1));
+                "row {} was sampled for another matrix (by another version of ffstudy?). Begin again in "
+                "another folder.",
+                row.row + 1);
         }
         for (const auto& [pair, estimate] : row.estimates) take_(pair, estimate);
         outcome_.samples += row.samples;

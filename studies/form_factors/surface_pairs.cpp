@@ -5,8 +5,6 @@
 #include "studies/form_factors/face_pairs.hpp"
 #include "studies/run/parallel.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <mutex>
@@ -48,10 +46,10 @@ std::optional<DroppedPair> dropped(std::uint32_t from, std::uint32_t to, const P
 /// Pairs that there was no time to examine are kept as unknown, unless there are too many.
 void expect_few_unknown(const Scene& scene) {
     if (scene.faces.size() <= most_dense_faces) return;
-    throw InterruptedError(fmt::format(
+    throw InterruptedError(
         "scene '{}': stopped while looking at what its {} faces see of each other (nothing was sampled, and nothing is "
         "written). Allow more time or memory, or see --dry-run.",
-        scene.name, scene.faces.size()));
+        scene.name, scene.faces.size());
 }
 
 }  // namespace

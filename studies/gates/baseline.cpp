@@ -26,14 +26,14 @@ constexpr std::int64_t most_stored_trials = 1'000'000'000'000'000;
 double read_number(const Json& json, const char* key, double low) {
     const auto number = json.at(key).get<double>();
     if (!(low <= number && number <= largest_magnitude))
-        throw UserError(fmt::format("{} = {} (not from {:g} to {:g})", key, number, low, largest_magnitude));
+        throw UserError("{} = {} (not from {:g} to {:g})", key, number, low, largest_magnitude);
     return number;
 }
 
 std::int64_t read_whole(const Json& json, const char* key, std::int64_t low, std::int64_t high) {
     const auto number = json.at(key).get<double>();
     if (!(static_cast<double>(low) <= number && number <= static_cast<double>(high)) || std::floor(number) != number)
-        throw UserError(fmt::format("{} = {} (not a whole number from {} to {})", key, number, low, high));
+        throw UserError("{} = {} (not a whole number from {} to {})", key, number, low, high);
     return static_cast<std::int64_t>(number);
 }
 
@@ -51,11 +51,10 @@ std::optional<stats::MeanSquare> read_spread(const Json& json, std::uint64_t tri
     const stats::MeanSquare spread{
         .mean_square = json.at("mean_square").get<double>(), .freedom = json.at("freedom").get<double>(), .n = trials};
     if (!(smallest_square <= spread.mean_square && spread.mean_square <= largest_square))
-        throw UserError(fmt::format("mean_square = {} (not from {:g} to {:g})", spread.mean_square, smallest_square,
-                                    largest_square));
+        throw UserError("mean_square = {} (not from {:g} to {:g})", spread.mean_square, smallest_square,
+                        largest_square);
     if (!(least_freedom <= spread.freedom && spread.freedom <= static_cast<double>(trials)))
-        throw UserError(
-            fmt::format("freedom = {} (not from {} to the {} trials)", spread.freedom, least_freedom, trials));
+        throw UserError("freedom = {} (not from {} to the {} trials)", spread.freedom, least_freedom, trials);
     return spread;
 }
 
@@ -120,7 +119,7 @@ std::string baseline_json(const Baseline& baseline) {
 Baseline parse_baseline(std::string_view text, std::string_view origin) {
     try {
         const Json json = Json::parse(text);
-        if (json.at("schema") != schema) throw UserError(fmt::format("the schema is not {}", schema));
+        if (json.at("schema") != schema) throw UserError("the schema is not {}", schema);
         Baseline baseline;
         baseline.origin = origin;
         for (const Json& gate : json.at("gates")) {
@@ -131,18 +130,16 @@ Baseline parse_baseline(std::string_view text, std::string_view origin) {
                 try {
                     stored.quantities.push_back(read_quantity(quantity));
                 } catch (const UserError& error) {
-                    throw UserError(fmt::format("gate '{}', quantity {}: {}", stored.gate, stored.quantities.size() + 1,
-                                                error.what()));
+                    throw UserError("gate '{}', quantity {}: {}", stored.gate, stored.quantities.size() + 1,
+                                    error.what());
                 }
             }
         }
         return baseline;
     } catch (const nlohmann::json::exception& error) {
-        throw UserError(
-            fmt::format("{}: is not a baseline ({}). Write it with --save-baseline.", origin, error.what()));
+        throw UserError("{}: is not a baseline ({}). Write it with --save-baseline.", origin, error.what());
     } catch (const UserError& error) {
-        throw UserError(
-            fmt::format("{}: is not a baseline ({}). Write it with --save-baseline.", origin, error.what()));
+        throw UserError("{}: is not a baseline ({}). Write it with --save-baseline.", origin, error.what());
     }
 }
 

@@ -70,10 +70,9 @@ std::vector<Quantity> selected_pairs(const Gate& gate, const Scene& scene) {
         texts.push_back(pair_text(scene, pair));
     const std::vector<std::string_view> known(texts.begin(), texts.end());
     throw UserError(
-        fmt::format("{}: pairs = '{}' (scene '{}' has none of these). {}Write \"all\", \"parallel\", \"adjacent\", or "
-                    "faces as \"{}\".",
-                    gate.pairs_place, fmt::join(gate.pairs, "', '"), scene.name,
-                    did_you_mean(gate.pairs.front(), known), texts[4]));
+        "{}: pairs = '{}' (scene '{}' has none of these). {}Write \"all\", \"parallel\", \"adjacent\", or "
+        "faces as \"{}\".",
+        gate.pairs_place, fmt::join(gate.pairs, "', '"), scene.name, did_you_mean(gate.pairs.front(), known), texts[4]);
 }
 
 std::vector<Quantity> quantities_of(const Gate& gate, const Scene& scene) {

@@ -40,23 +40,23 @@ void attach_baseline(const Gate& gate, const Baseline* baseline, Plan& plan) {
     const StoredGate* stored = baseline->find(gate.name);
     if (stored == nullptr)
         throw UserError(
-            fmt::format("{}: has no gate '{}' (nothing to compare with). Save it again with "
-                        "--save-baseline.",
-                        baseline->origin, gate.name));
+            "{}: has no gate '{}' (nothing to compare with). Save it again with "
+            "--save-baseline.",
+            baseline->origin, gate.name);
     plan.stored_seconds_per_trial = stored->seconds_per_trial;
     if (stored->quantities.size() != plan.effects.size())
         throw UserError(
-            fmt::format("{}: gate '{}' had {} quantities, here it has {} (a changed study cannot be "
-                        "compared). Save it again with --save-baseline.",
-                        baseline->origin, gate.name, stored->quantities.size(), plan.effects.size()));
+            "{}: gate '{}' had {} quantities, here it has {} (a changed study cannot be "
+            "compared). Save it again with --save-baseline.",
+            baseline->origin, gate.name, stored->quantities.size(), plan.effects.size());
     for (std::size_t i = 0; i < plan.effects.size(); ++i) {
         const StoredQuantity& there = stored->quantities[i];
         const std::string here = identity(plan.study, plan.effects[i].cells.front());
         if (there.cell != here || there.quantity != plan.effects[i].quantity)
             throw UserError(
-                fmt::format("{}: gate '{}' was '{}', here it is '{}' (a changed study cannot be compared). "
-                            "Save it again with --save-baseline.",
-                            baseline->origin, gate.name, there.cell, here));
+                "{}: gate '{}' was '{}', here it is '{}' (a changed study cannot be compared). "
+                "Save it again with --save-baseline.",
+                baseline->origin, gate.name, there.cell, here);
         plan.stored[i] = there;
     }
 }

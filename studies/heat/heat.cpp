@@ -71,21 +71,21 @@ void expect_solvable(const Scene& scene, const FactorBounds& factors, const Face
     for (Index i = 0; i < n; ++i) {
         if (!can_add_up(factors, i))
             throw UserError(
-                fmt::format("scene '{}': the form factors of face '{}' cannot add up to 1 (between {:.6g} and "
-                            "{:.6g}). See the warnings of 'ffstudy form-factors' on this scene.",
-                            scene.name, face(i), factors.low.row(i).sum(), factors.high.row(i).sum()));
+                "scene '{}': the form factors of face '{}' cannot add up to 1 (between {:.6g} and "
+                "{:.6g}). See the warnings of 'ffstudy form-factors' on this scene.",
+                scene.name, face(i), factors.low.row(i).sum(), factors.high.row(i).sum());
         if (!materials.surroundings && !materials.are_light() && factors.high.coeff(i, n) > 0)
             throw UserError(
-                fmt::format("scene '{}': face '{}' sees out of the scene, or a surface of no face, with {:.3g} "
-                            "of its radiation. Give surroundings = a temperature in the materials file.",
-                            scene.name, face(i), factors.high.coeff(i, n)));
+                "scene '{}': face '{}' sees out of the scene, or a surface of no face, with {:.3g} "
+                "of its radiation. Give surroundings = a temperature in the materials file.",
+                scene.name, face(i), factors.high.coeff(i, n));
     }
     const auto [absorption, cut_off] = find_absorption(factors, laws);
     if (absorption == Absorption::not_reached)
         throw UserError(
-            fmt::format("scene '{}': face '{}' and all that it sees have a flux and no temperature (so no "
-                        "temperatures are determined). Give one of them a temperature.",
-                        scene.name, face(cut_off)));
+            "scene '{}': face '{}' and all that it sees have a flux and no temperature (so no "
+            "temperatures are determined). Give one of them a temperature.",
+            scene.name, face(cut_off));
     if (absorption == Absorption::unresolved)
         throw UnresolvedFlows(
             fmt::format("scene '{}': whether face '{}' sees any face with a temperature is not certain (the "
@@ -110,9 +110,9 @@ FaceFlow flow_of(const Material& material, double area, Bounds irradiation, cons
         const double more = flux / *material.emissivity;
         if (irradiation.low + more < 0)
             throw UserError(
-                fmt::format("face '{}': flux = {:g} W/m² (it cannot absorb that much: {:.4g} W/m² arrive). "
-                            "Give a flux nearer to 0, or a temperature.",
-                            face, flux, irradiation.low));
+                "face '{}': flux = {:g} W/m² (it cannot absorb that much: {:.4g} W/m² arrive). "
+                "Give a flux nearer to 0, or a temperature.",
+                face, flux, irradiation.low);
         flow.temperature = {temperature_of_black_body(irradiation.low + more),
                             temperature_of_black_body(irradiation.high + more)};
     }
@@ -134,8 +134,7 @@ FlowTolerance read_flow_tolerance(std::string_view place, std::string_view text)
     if (is_known && tolerance.amount > 0 && std::isfinite(tolerance.amount) &&
         (tolerance.is_power || tolerance.amount < 1))
         return tolerance;
-    throw UserError(
-        fmt::format("{} {} (a share above 0 and below 1, or watts). Write 0.001, 0.1% or 40W.", place, text));
+    throw UserError("{} {} (a share above 0 and below 1, or watts). Write 0.001, 0.1% or 40W.", place, text);
 }
 
 std::string in_words(const FlowTolerance& tolerance) {

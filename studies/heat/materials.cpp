@@ -104,9 +104,8 @@ const Entry* only_entry(const std::vector<Entry>& entries, Wanted wanted, const 
     for (const Entry& entry : entries) {
         if (!wanted(entry.name)) continue;
         if (found != nullptr)
-            throw UserError(
-                fmt::format("{}: face '{}' is both '{}' and '{}' (it is not said which). Name the face itself.", origin,
-                            face, found->name, entry.name));
+            throw UserError("{}: face '{}' is both '{}' and '{}' (it is not said which). Name the face itself.", origin,
+                            face, found->name, entry.name);
         found = &entry;
     }
     return found;
@@ -128,9 +127,9 @@ const Entry* entry_of(std::size_t face, const NamedFaces& faces, const std::vect
             name, origin)) {
         if (materials.size() == 1) return by_material;
         throw UserError(
-            fmt::format("{}: face '{}' has the materials '{}' (a face has one). Take --faces material, or "
-                        "name the face itself.",
-                        origin, name, fmt::join(materials, "', '")));
+            "{}: face '{}' has the materials '{}' (a face has one). Take --faces material, or "
+            "name the face itself.",
+            origin, name, fmt::join(materials, "', '"));
     }
     return only_entry(
         entries,
@@ -146,17 +145,17 @@ void complete(Material& material, std::size_t face, const NamedFaces& faces, std
     const std::string& name = faces.names[face];
     material.emissivity = said_emissivity(faces.said, face);
     if (!material.emissivity)
-        throw UserError(fmt::format(
+        throw UserError(
             "{}: face '{}' has no emissivity (the scene file gives {}). Write it like "
             "emissivity = 0.8.",
             origin, name,
             face < faces.said.size() && !faces.said[face].emissivities.empty() ? "its surfaces different ones"
-                                                                               : "none"));
+                                                                               : "none");
     if (!is_emissivity(*material.emissivity))
         throw UserError(
-            fmt::format("{}: face '{}' has the emissivity {} of the scene file (from 1e-9 to 1 is "
-                        "needed). Write it like emissivity = 0.8.",
-                        origin, name, *material.emissivity));
+            "{}: face '{}' has the emissivity {} of the scene file (from 1e-9 to 1 is "
+            "needed). Write it like emissivity = 0.8.",
+            origin, name, *material.emissivity);
 }
 
 void expect_used(const std::vector<Entry>& entries, const NamedFaces& faces, std::string_view origin) {
@@ -166,8 +165,8 @@ void expect_used(const std::vector<Entry>& entries, const NamedFaces& faces, std
     for (const Entry& entry : entries) {
         if (std::any_of(known.begin(), known.end(), [&](std::string_view name) { return matches(entry.name, name); }))
             continue;
-        throw UserError(fmt::format("{}: the scene has no face '{}'. {}See 'ffstudy explain SCENE' for its faces.",
-                                    origin, entry.name, did_you_mean(entry.name, known)));
+        throw UserError("{}: the scene has no face '{}'. {}See 'ffstudy explain SCENE' for its faces.", origin,
+                        entry.name, did_you_mean(entry.name, known));
     }
 }
 
@@ -195,15 +194,14 @@ Materials read_materials(std::string_view toml, std::string_view origin, const N
         const std::string& face = faces.names[i];
         const Entry* entry = entry_of(i, faces, entries, origin);
         if (entry == nullptr)
-            throw UserError(
-                fmt::format("{}: face '{}' has no material. Add it, or a pattern like \"*\".", origin, face));
+            throw UserError("{}: face '{}' has no material. Add it, or a pattern like \"*\".", origin, face);
         complete(materials.faces.emplace_back(entry->material), i, faces, origin);
         if (entry->material.is_light() != materials.are_light())
             throw UserError(
-                fmt::format("{}: face '{}' is of light and '{}' of heat (one system has one kind). Give all "
-                            "faces the same.",
-                            origin, materials.are_light() ? faces.names.front() : face,
-                            materials.are_light() ? face : faces.names.front()));
+                "{}: face '{}' is of light and '{}' of heat (one system has one kind). Give all "
+                "faces the same.",
+                origin, materials.are_light() ? faces.names.front() : face,
+                materials.are_light() ? face : faces.names.front());
     }
     if (!materials.are_light()) {
         for (const Entry& entry : entries) warn_of_cold(entry.material.temperature, entry.name, materials.warnings);

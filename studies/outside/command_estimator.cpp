@@ -42,7 +42,7 @@ class SceneFiles {
     SceneFiles(const Scene& scene, const Program& program) {
         std::string name = (std::filesystem::temp_directory_path() / "ffstudy-scene-XXXXXX").string();
         if (::mkdtemp(name.data()) == nullptr)
-            throw IoError(fmt::format("{} (a folder for the scene cannot be made there). Set TMPDIR.", name));
+            throw IoError("{} (a folder for the scene cannot be made there). Set TMPDIR.", name);
         folder_ = name;
         const std::size_t fitting = is_of_polygons(scene) ? 0 : 2;
         for (std::size_t i = 0; i < formats.size(); ++i) {
@@ -53,7 +53,7 @@ class SceneFiles {
             std::ofstream out(file, std::ios::binary);
             out << format.text(scene);
             out.close();
-            if (!out) throw IoError(fmt::format("{}: cannot be written. Set TMPDIR.", file.string()));
+            if (!out) throw IoError("{}: cannot be written. Set TMPDIR.", file.string());
             values_.emplace_back(format.placeholder, file.string());
             if (chosen) values_.emplace_back(any_format, file.string());
         }
@@ -107,9 +107,9 @@ class RowReader {
             if (std::isnan(estimates(i, i))) estimates(i, i) = 0;  // what is flat does not see itself
             for (Eigen::Index j = 0; j < faces; ++j) {
                 if (std::isnan(estimates(i, j)))
-                    throw UserError(fmt::format(
-                        "{}: no line from face '{}' to '{}'. Print one, 0 where nothing arrives.", place_,
-                        scene_.faces[static_cast<std::size_t>(i)], scene_.faces[static_cast<std::size_t>(j)]));
+                    throw UserError("{}: no line from face '{}' to '{}'. Print one, 0 where nothing arrives.", place_,
+                                    scene_.faces[static_cast<std::size_t>(i)],
+                                    scene_.faces[static_cast<std::size_t>(j)]);
             }
         }
         return printed;
@@ -126,10 +126,10 @@ class RowReader {
             std::equal(record.begin(), record.end(), names.begin(),
                        [](const CsvField& field, std::string_view name) { return field.text == name; });
         if (!is_there)
-            throw UserError(fmt::format(
+            throw UserError(
                 "{}: does not begin with the line from,to,estimate or from,to,estimate,error. Print it, and "
                 "below it a line for each two faces.",
-                place_));
+                place_);
         return record.size();
     }
 
@@ -211,9 +211,9 @@ const EstimatorEntry& load_command_estimator(std::string_view name, const std::f
     if (!gets(any_format) &&
         std::none_of(formats.begin(), formats.end(), [&](const auto& format) { return gets(format.placeholder); }))
         throw UserError(
-            fmt::format("{} (it does not get the scene). Add {{scene}}, {{obj}}, {{vs3}} or {{toml}}: the "
-                        "file's name stands there.",
-                        program->title()));
+            "{} (it does not get the scene). Add {{scene}}, {{obj}}, {{vs3}} or {{toml}}: the "
+            "file's name stands there.",
+            program->title());
     return add(std::make_unique<AddedEstimator>(
         AddedEstimator::Texts{program->full_name(), "form factors that a program prints",
                               "The program is run for each trial, and a few times at first to see that it prints the "

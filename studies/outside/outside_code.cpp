@@ -41,9 +41,9 @@ samplers::PointSet run_for_set(const Program& program, const SetRequest& request
     auto set = parse_points(output, place);
     if (set.sets != 1 || set.points != request.points || set.dimension < request.dimension)
         throw UserError(
-            fmt::format("{}: printed {} set{} of {} points of {} coordinates. Print one set of {{n}} points with at "
-                        "least {{d}} coordinates.",
-                        place, set.sets, set.sets == 1 ? "" : "s", set.points, set.dimension));
+            "{}: printed {} set{} of {} points of {} coordinates. Print one set of {{n}} points with at "
+            "least {{d}} coordinates.",
+            place, set.sets, set.sets == 1 ? "" : "s", set.points, set.dimension);
     return set;
 }
 

@@ -30,7 +30,7 @@ using samplers::AddedSampler;
 using samplers::SetRequest;
 
 [[noreturn]] void refuse(const std::string& place, const std::string& problem) {
-    throw UserError(fmt::format("{}: {}", place, problem));
+    throw UserError("{}: {}", place, problem);
 }
 
 std::string text_or_nothing(const char* text) {

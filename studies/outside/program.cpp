@@ -43,7 +43,7 @@ std::vector<std::string> words_of_command(std::string_view command) {
             words.back() += c;
         }
     }
-    if (quote != 0) throw UserError(fmt::format("command:{} (a quote {} is not closed). Close it.", command, quote));
+    if (quote != 0) throw UserError("command:{} (a quote {} is not closed). Close it.", command, quote);
     if (words.empty() || words.front().empty())
         throw UserError("command: (no program). Name it: command:./mine --n {n} --d {d} --seed {seed}");
     return words;
@@ -82,7 +82,7 @@ std::string last_words(std::string_view errors) {
 /// The name without its hash, as the files are now. @pre the name begins with the prefix
 std::string name_now(std::string_view text, const std::filesystem::path& folder) {
     if (const auto problem = problem_with_name(text); !problem.empty())
-        throw UserError(fmt::format("{}{} {} A script may hold them.", command_prefix, visible_text(text), problem));
+        throw UserError("{}{} {} A script may hold them.", command_prefix, visible_text(text), problem);
     const auto files = files_of(words_of_command(text), folder);
     return files.empty() ? fmt::format("{}{}", command_prefix, text)
                          : fmt::format("{}{}#{}", command_prefix, text, hash_of(files));
@@ -109,8 +109,8 @@ Program::Program(std::string_view name, std::filesystem::path folder, double dea
       repeatable_(is_randomised(), {"prints", "{seed}", "leave {seed} and {trial} out"}) {
     const bool has_hash = name.size() > command_prefix.size() + text_.size();
     if (has_hash && full_name_ != name)
-        throw UserError(fmt::format(
-            "{} (its files are others than before: {}). Bring them back, or leave the hash out.", name, full_name_));
+        throw UserError("{} (its files are others than before: {}). Bring them back, or leave the hash out.", name,
+                        full_name_);
 }
 
 std::string Program::title() const {
@@ -148,15 +148,14 @@ std::string Program::ask(const std::string& place, const std::string& line, cons
     if (whole) return std::move(output.output);
     conversation.reset();
     expect_sound(place, output, most_output);
-    throw IoError(fmt::format("{}: ended before its answer was whole ({}). Let it answer until its input ends.", place,
-                              last_words(output.errors)));
+    throw IoError("{}: ended before its answer was whole ({}). Let it answer until its input ends.", place,
+                  last_words(output.errors));
 }
 
 /// @throws IoError
 void Program::expect_sound(const std::string& place, const ChildOutput& output, std::uint64_t most_output) const {
     const auto fail = [&](const std::string& problem) {
-        throw IoError(fmt::format("{}: {} ({}). Run it by hand: what was saved stays.", place, problem,
-                                  last_words(output.errors)));
+        throw IoError("{}: {} ({}). Run it by hand: what was saved stays.", place, problem, last_words(output.errors));
     };
     switch (output.end) {
         case ChildOutput::End::exited:

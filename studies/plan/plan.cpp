@@ -89,9 +89,9 @@ void expect_trials_at_hand(const Method& method, const Cell& cell) {
     const std::uint64_t most = samplers::find(method.sampler).info.most_trials;
     if (most == 0 || cell.trials <= most) return;
     throw UserError(
-        fmt::format("method '{}': {} trials ({} has {} sets of points, and each serves one trial). Take "
-                    "trials = {}, or randomise = \"owen\" for any number.",
-                    method.name, cell.trials, method.sampler, most, most));
+        "method '{}': {} trials ({} has {} sets of points, and each serves one trial). Take "
+        "trials = {}, or randomise = \"owen\" for any number.",
+        method.name, cell.trials, method.sampler, most, most);
 }
 
 /// Patches, or ordered pairs of patches of different surfaces with kernels.
@@ -112,24 +112,23 @@ void expect_feasible(const Method& method, const Scene& scene, const Cell& cell)
     const std::uint64_t patches = cell.subdivision.patches(scene);
     if (patches > most_patches) {
         throw UserError(
-            fmt::format("method '{}': {} patches in scene '{}' (at most {}). Take fewer patches per face, or "
-                        "coarser grids.",
-                        method.name, patches, scene.name, most_patches));
+            "method '{}': {} patches in scene '{}' (at most {}). Take fewer patches per face, or "
+            "coarser grids.",
+            method.name, patches, scene.name, most_patches);
     }
     const double evaluations =
         evaluated_patches(method, scene, cell.subdivision) * static_cast<double>(cell.samples_per_patch);
     if (evaluations <= most_evaluations) return;
-    throw UserError(fmt::format(
+    throw UserError(
         "method '{}': one trial takes {:.1g} evaluations (more than {:g}). Take fewer patches, samples or nodes.",
-        method.name, evaluations, most_evaluations));
+        method.name, evaluations, most_evaluations);
 }
 
 /// @throws UserError where an adaptive study leaves a size fewer trials than its pilot has
 void expect_room_for_pilot(const StudySpec& spec, const Method& method, const Cell& cell) {
     if (!spec.until || cell.deterministic || cell.trials >= spec.until->pilot) return;
-    throw UserError(
-        fmt::format("method '{}': trials = {} (the pilot of [until] has {}). Take more trials, or a smaller pilot.",
-                    method.name, cell.trials, spec.until->pilot));
+    throw UserError("method '{}': trials = {} (the pilot of [until] has {}). Take more trials, or a smaller pilot.",
+                    method.name, cell.trials, spec.until->pilot);
 }
 
 /// Whether a method takes part in a scene. One that cannot be used there is named in `left_out`, if the study allows
@@ -167,8 +166,8 @@ void add_units(const StudyPlan& plan, std::size_t cell_index, std::uint64_t firs
     const double seconds = expected_seconds_per_trial(plan, plan.cells[cell_index]);
     const auto batch = static_cast<std::uint64_t>(std::clamp(unit_seconds / seconds, 1.0, most_trials_of_a_unit));
     if (units.size() + (end_trial - first_trial) / batch >= most_units) {
-        throw UserError(fmt::format("method '{}': {} trials make more than {} work units. Take fewer trials.",
-                                    plan.spec.methods[plan.cells[cell_index].method].name, end_trial, most_units));
+        throw UserError("method '{}': {} trials make more than {} work units. Take fewer trials.",
+                        plan.spec.methods[plan.cells[cell_index].method].name, end_trial, most_units);
     }
     const bool adaptive = plan.spec.until && !plan.cells[cell_index].deterministic;
     const std::uint64_t pilot = adaptive ? plan.spec.until->pilot : 0;
@@ -275,27 +274,27 @@ void expect_few_patches(const StudyPlan& plan, std::size_t index) {
     const std::uint32_t most =
         estimator_info(method).patch_factors == PatchFactors::rays ? most_traced_patches : most_kernel_patches;
     if (!has_exact_patch_factors(scene)) {
-        throw UserError(fmt::format(
+        throw UserError(
             "[radiosity]: patch_trials in scene '{}' (patches have exact factors where all surfaces are parallelograms "
             "that nothing can stand between). Leave patch_trials out.",
-            scene.name));
+            scene.name);
     }
     if (const auto* const added = samplers::find_added(method.sampler); added != nullptr && added->content().empty()) {
         throw UserError(
-            fmt::format("[radiosity]: patch_trials with method '{}' (reports compute these trials again, and the store "
-                        "does not hold what makes the points of {}). Leave patch_trials out.",
-                        method.name, method.sampler));
+            "[radiosity]: patch_trials with method '{}' (reports compute these trials again, and the store "
+            "does not hold what makes the points of {}). Leave patch_trials out.",
+            method.name, method.sampler);
     }
     if (patches <= most) return;
-    throw UserError(fmt::format(
+    throw UserError(
         "[radiosity]: patch_trials with method '{}' and {} patches in all (every pair has a factor: at most {} patches "
         "with {}). Take fewer patches per face, or leave patch_trials out.",
-        method.name, patches, most, method.estimator));
+        method.name, patches, most, method.estimator);
 }
 
 void expect_applicable(const Method& method, const Scene& scene) {
     const std::string refusal = find_estimator(method.estimator).refusal(estimator_options(method), scene);
-    if (!refusal.empty()) throw UserError(fmt::format("method '{}': {}", method.name, refusal));
+    if (!refusal.empty()) throw UserError("method '{}': {}", method.name, refusal);
 }
 
 }  // namespace ff::studies

@@ -52,8 +52,7 @@ std::map<std::uint64_t, std::filesystem::path> files_of_ladder(const std::filesy
     const std::string name = pattern.filename().string();
     const std::size_t at = name.find(ladder);
     if (at == std::string::npos)
-        throw UserError(
-            fmt::format("{}: {} (only the file's own name may have it). Move it there.", pattern.string(), ladder));
+        throw UserError("{}: {} (only the file's own name may have it). Move it there.", pattern.string(), ladder);
     const std::string before = name.substr(0, at);
     const std::string after = name.substr(at + ladder.size());
     std::map<std::uint64_t, std::filesystem::path> files;
@@ -68,8 +67,8 @@ std::map<std::uint64_t, std::filesystem::path> files_of_ladder(const std::filesy
         if (const auto n = parse_bare_number<std::uint64_t>(digits)) files[*n] = pattern.parent_path() / file;
     }
     if (files.empty())
-        throw IoError(fmt::format("{}: no such files ({} stands for a number of points). Check the folder.",
-                                  pattern.string(), ladder));
+        throw IoError("{}: no such files ({} stands for a number of points). Check the folder.", pattern.string(),
+                      ladder);
     return files;
 }
 
@@ -122,8 +121,8 @@ const samplers::CatalogueEntry& add_file(const Name& name, AddedSampler::Content
         if (content.size() == 1 && is_ld_data(bytes)) sizes = nested_sizes(*set);
         const std::uint64_t points = set->points;
         if (!sets.emplace(points, std::move(set)).second)
-            throw UserError(fmt::format("{}: {} points (another file of {}{} has as many). Remove one.", file, points,
-                                        file_prefix, name.path));
+            throw UserError("{}: {} points (another file of {}{} has as many). Remove one.", file, points, file_prefix,
+                            name.path);
     }
     samplers::SamplerInfo traits;
     traits.most_trials = how == Randomisation::none ? std::uint64_t{1} << 32 : 0;
@@ -150,7 +149,7 @@ const samplers::CatalogueEntry& add_file(const Name& name, AddedSampler::Content
 std::string read_regular_file(const std::filesystem::path& file) {
     std::error_code status;
     if (std::filesystem::exists(file, status) && !std::filesystem::is_regular_file(file, status))
-        throw IoError(fmt::format("{}: not a file (points are read from files). Check the name.", file.string()));
+        throw IoError("{}: not a file (points are read from files). Check the name.", file.string());
     return read_bytes(file);
 }
 
@@ -179,19 +178,19 @@ const samplers::CatalogueEntry& load_point_file(std::string_view sampler, std::s
     Name name = parse_name(sampler);
     if (!randomise.empty()) {
         if (!name.randomise.empty())
-            throw UserError(fmt::format("{} (says already how points are randomised). Remove 'randomise'.", sampler));
+            throw UserError("{} (says already how points are randomised). Remove 'randomise'.", sampler);
         if (!samplers::find_randomisation(randomise))
-            throw UserError(fmt::format("randomise = \"{}\" (unknown). Choose one of {}.", randomise,
-                                        fmt::join(samplers::randomisation_names, ", ")));
+            throw UserError("randomise = \"{}\" (unknown). Choose one of {}.", randomise,
+                            fmt::join(samplers::randomisation_names, ", "));
         name.randomise = randomise;
     }
     AddedSampler::Content content = read_content(name.path, folder);
     const std::string hash = hash_of(content);
     if (!name.hash.empty() && name.hash != hash)
         throw UserError(
-            fmt::format("{}: other points than before (their hash is {}, not {}). Bring the file back, or "
-                        "leave the hash out.",
-                        name.path, hash, name.hash));
+            "{}: other points than before (their hash is {}, not {}). Bring the file back, or "
+            "leave the hash out.",
+            name.path, hash, name.hash);
     return add_file(name, std::move(content), hash);
 }
 
@@ -200,9 +199,9 @@ const samplers::CatalogueEntry& restore_point_file(std::string_view sampler, Add
     const std::string hash = hash_of(content);
     if (name.hash != hash)
         throw UserError(
-            fmt::format("{}: the points that were kept are damaged (their hash is {}). Take a copy, or "
-                        "remove the store and run the study again.",
-                        sampler, hash));
+            "{}: the points that were kept are damaged (their hash is {}). Take a copy, or "
+            "remove the store and run the study again.",
+            sampler, hash);
     return add_file(name, std::move(content), hash);
 }
 

@@ -35,8 +35,8 @@ class Numbers {
             for (const std::string_view word : split_words(line.substr(0, line.find('#')))) {
                 const auto value = parse_bare_number<std::uint64_t>(word);
                 if (!value)
-                    throw UserError(fmt::format("{}:{}: \"{}\" (expected a whole number). Mark comments with #.",
-                                                origin_, number, excerpt(word)));
+                    throw UserError("{}:{}: \"{}\" (expected a whole number). Mark comments with #.", origin_, number,
+                                    excerpt(word));
                 numbers_.push_back(*value);
             }
         });
@@ -45,9 +45,9 @@ class Numbers {
     std::uint64_t next(std::string_view what) {
         if (at_ == numbers_.size())
             throw UserError(
-                fmt::format("{}: {} missing (the file ends before it). See docs/study-files.md for what an "
-                            "LDData file holds.",
-                            origin_, what));
+                "{}: {} missing (the file ends before it). See docs/study-files.md for what an "
+                "LDData file holds.",
+                origin_, what);
         return numbers_[at_++];
     }
 
@@ -60,8 +60,7 @@ class Numbers {
 void expect_range(const std::string& origin, std::string_view what, std::uint64_t value, std::uint64_t least,
                   std::uint64_t most) {
     if (value >= least && value <= most) return;
-    throw UserError(
-        fmt::format("{}: {} = {} ({} to {} are read). Take another file.", origin, what, value, least, most));
+    throw UserError("{}: {} = {} ({} to {} are read). Take another file.", origin, what, value, least, most);
 }
 
 /// Point i is the fractional part of i * vector / n; where n is a power of 2, of i with its digits reversed, so that

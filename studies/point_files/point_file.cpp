@@ -21,18 +21,16 @@ namespace {
 /// x * 2^32. @throws UserError unless 0 <= x < 1, with the place counted from 0
 std::uint32_t fixed_point(double x, const std::string& origin, std::uint64_t set, std::uint64_t point, std::size_t d) {
     if (x >= 0 && x < 1) return static_cast<std::uint32_t>(x * 0x1p32);
-    throw UserError(fmt::format("{}: set {}, point {}, coordinate {} is {} (counted from 0; not in [0, 1)). {}", origin,
-                                set, point, d, x,
-                                x == 1 ? "Leave out the upper end." : "Check the program that made the points."));
+    throw UserError("{}: set {}, point {}, coordinate {} is {} (counted from 0; not in [0, 1)). {}", origin, set, point,
+                    d, x, x == 1 ? "Leave out the upper end." : "Check the program that made the points.");
 }
 
 /// @throws UserError for a size that no set has
 void expect_size(const std::string& origin, std::uint64_t sets, std::uint64_t points, std::uint64_t dimension) {
     if (sets == 0 || points == 0 || dimension == 0)
-        throw UserError(
-            fmt::format("{}: no points (a set has at least one). Give an array (n, d) or (trials, n, d).", origin));
+        throw UserError("{}: no points (a set has at least one). Give an array (n, d) or (trials, n, d).", origin);
     if (points > samplers::max_points || sets > (std::uint64_t{1} << 32) / points * 16)
-        throw UserError(fmt::format("{}: {} sets of {} points (too many). Split the file.", origin, sets, points));
+        throw UserError("{}: {} sets of {} points (too many). Split the file.", origin, sets, points);
 }
 
 /// The little-endian number that stands at a place. @pre all its bytes are there
@@ -56,7 +54,7 @@ struct NpyHeader {
 };
 
 [[noreturn]] void refuse(const std::string& origin, std::string_view what, std::string_view why) {
-    throw UserError(fmt::format("{}: {} ({}). Write it with numpy.save.", origin, what, why));
+    throw UserError("{}: {} ({}). Write it with numpy.save.", origin, what, why);
 }
 
 /// The text between `before` and `after` in the header.
@@ -109,9 +107,9 @@ samplers::PointSet parse_npy(std::string_view bytes, const std::string& origin) 
     const std::uint64_t there = (bytes.size() - header.data) / bytes_each;
     if (width > there || points > there / width || sets > there / width / points || sets * points * width != there) {
         throw UserError(
-            fmt::format("{}: {} numbers (its header says {} x {} x {}). It was cut off or is still being written; "
-                        "write it again.",
-                        origin, there, sets, points, width));
+            "{}: {} numbers (its header says {} x {} x {}). It was cut off or is still being written; "
+            "write it again.",
+            origin, there, sets, points, width);
     }
     samplers::PointSet result{points, std::min<std::size_t>(width, max_dimension), sets, {}};
     result.coordinate.resize(sets * result.dimension * points);
@@ -137,15 +135,15 @@ samplers::PointSet parse_npy(std::string_view bytes, const std::string& origin) 
 
 samplers::PointSet parse_raw(std::string_view bytes, const std::string& origin) {
     if (bytes.size() < raw_header)
-        throw UserError(fmt::format("{}: its header is cut off (24 bytes: FFPOINTS, n, d). Write it again.", origin));
+        throw UserError("{}: its header is cut off (24 bytes: FFPOINTS, n, d). Write it again.", origin);
     const auto points = number_at<std::uint64_t>(bytes, 8);
     const auto width = number_at<std::uint64_t>(bytes, 16);
     expect_size(origin, 1, points, width);
     const std::uint64_t there = (bytes.size() - raw_header) / sizeof(double);
     if (width > there || points > there / width || points * width != there ||
         (bytes.size() - raw_header) % sizeof(double) != 0)
-        throw UserError(fmt::format("{}: {} bytes of numbers (its header says {} x {} of 8 bytes). Write them all.",
-                                    origin, bytes.size() - raw_header, points, width));
+        throw UserError("{}: {} bytes of numbers (its header says {} x {} of 8 bytes). Write them all.", origin,
+                        bytes.size() - raw_header, points, width);
     samplers::PointSet result{points, std::min<std::size_t>(width, max_dimension), 1, {}};
     result.coordinate.resize(result.dimension * points);
     for (std::uint64_t i = 0; i < points; ++i) {
@@ -173,17 +171,16 @@ void read_row(std::string_view line, TextRows& rows, const std::string& place) {
     for (const std::string_view word : words) {
         const auto value = parse_bare_number<double>(word);
         if (!value)
-            throw UserError(
-                fmt::format("{}: \"{}\" (not a number). Write a point a line, numbers separated by spaces or commas.",
-                            place, excerpt(word)));
+            throw UserError("{}: \"{}\" (not a number). Write a point a line, numbers separated by spaces or commas.",
+                            place, excerpt(word));
         rows.values.push_back(*value);
     }
     const std::size_t width = words.size();
     if (width == 0) return;
     if (rows.width == 0) rows.width = width;
     if (width != rows.width)
-        throw UserError(fmt::format("{}: {} numbers (the points before have {}). Give every point as many.", place,
-                                    width, rows.width));
+        throw UserError("{}: {} numbers (the points before have {}). Give every point as many.", place, width,
+                        rows.width);
     ++rows.rows;
 }
 
@@ -202,8 +199,8 @@ samplers::PointSet parse_text(std::string_view text, const std::string& origin) 
     expect_size(origin, sets, points, rows.width);
     for (std::uint64_t set = 1; set < sets; ++set) {
         if (rows.ends[set] - rows.ends[set - 1] != points)
-            throw UserError(fmt::format("{}: set {} has {} points (set 0 has {}). Give every set as many.", origin, set,
-                                        rows.ends[set] - rows.ends[set - 1], points));
+            throw UserError("{}: set {} has {} points (set 0 has {}). Give every set as many.", origin, set,
+                            rows.ends[set] - rows.ends[set - 1], points);
     }
     samplers::PointSet result{points, std::min(rows.width, max_dimension), sets, {}};
     result.coordinate.resize(sets * result.dimension * points);

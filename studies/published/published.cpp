@@ -55,8 +55,7 @@ std::optional<std::pair<std::string, std::string>> split_pair(std::string_view t
         const std::string_view from = text.substr(0, dash);
         const std::string_view to = text.substr(dash + 1);
         if (!is_face(from) || !is_face(to)) continue;
-        if (pair)
-            throw UserError(fmt::format("\"{}\" may be several pairs of faces. Rename a face of the scene.", text));
+        if (pair) throw UserError("\"{}\" may be several pairs of faces. Rename a face of the scene.", text);
         pair.emplace(from, to);
     }
     return pair;
@@ -286,8 +285,7 @@ void read_printing(const JsonReader& reader, const JsonValue& value, PublishedTa
 
 PublishedTables parse_published_tables(std::string_view text, std::string_view origin) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-        throw UserError(
-            fmt::format("{}: is empty (a tables file is an object of JSON). See docs/published-tables.md.", origin));
+        throw UserError("{}: is empty (a tables file is an object of JSON). See docs/published-tables.md.", origin);
     }
     const JsonValue root = parse_json(text, origin);
     const JsonReader reader(origin);

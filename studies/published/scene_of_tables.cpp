@@ -75,8 +75,8 @@ Scene read_scene_of_tables(const JsonReader& reader, const JsonValue& value, Sce
         Scene scene = make_scene(source);
         expect_no_masks(scene);
         if (scene.faces.size() > most_faces_of_tables) {
-            throw UserError(fmt::format("scene '{}' has {} faces (tables may be of {} at most). Join faces.",
-                                        scene.name, scene.faces.size(), most_faces_of_tables));
+            throw UserError("scene '{}' has {} faces (tables may be of {} at most). Join faces.", scene.name,
+                            scene.faces.size(), most_faces_of_tables);
         }
         return scene;
     } catch (const UserError& error) {

@@ -24,7 +24,7 @@ constexpr double interval_level = 0.95;
 constexpr std::array<std::string_view, 6> kinds{"cylinder", "cap", "cone", "spheres", "box", "cube"};
 
 [[noreturn]] void fail(std::string_view name, std::string_view problem) {
-    throw UserError(fmt::format("enclosure {} {}", name, problem));
+    throw UserError("enclosure {} {}", name, problem);
 }
 
 /// The two lengths of "kind:AxB".
@@ -118,9 +118,9 @@ NamedEnclosure find_enclosure(std::string_view name, const std::optional<std::st
 EnclosureResults study_enclosure(const EnclosureRequest& request) {
     constexpr std::uint64_t most = std::uint64_t{1} << 32;
     if (request.trials == 1 || request.trials > most)
-        throw UserError(fmt::format("--trials {} (0 for exact factors only, or 2 to 2^32). Try 1000.", request.trials));
+        throw UserError("--trials {} (0 for exact factors only, or 2 to 2^32). Try 1000.", request.trials);
     if (request.trials > 0 && (request.rays == 0 || request.rays > most))
-        throw UserError(fmt::format("--rays {} (1 to 2^32 from each surface). Try 1000.", request.rays));
+        throw UserError("--rays {} (1 to 2^32 from each surface). Try 1000.", request.rays);
     EnclosureResults results{find_enclosure(request.name, request.mirror), {}, {}, {}};
     const Lighting lighting = light(results.of, request.light);
     results.emission = lighting.emission;

@@ -14,7 +14,7 @@ namespace ff::studies {
 CsvReader::CsvReader(std::string_view text, std::string_view origin) : text_(text), origin_(origin) {
     if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
     if (text_.starts_with("\xff\xfe") || text_.starts_with("\xfe\xff"))
-        throw UserError(fmt::format("{}:1:1: the file is in UTF-16 (UTF-8 is read). Save it as UTF-8.", origin));
+        throw UserError("{}:1:1: the file is in UTF-16 (UTF-8 is read). Save it as UTF-8.", origin);
 }
 
 bool CsvReader::at_line_end() const {
@@ -81,7 +81,7 @@ void CsvReader::quoted(CsvField& field) {
 }
 
 void CsvReader::fail(const CsvField& field, std::string_view problem) const {
-    throw UserError(fmt::format("{}:{}:{}: {}", origin_, field.line, field.column, problem));
+    throw UserError("{}:{}:{}: {}", origin_, field.line, field.column, problem);
 }
 
 std::string_view CsvReader::filled(const CsvField& field, std::string_view name) const {

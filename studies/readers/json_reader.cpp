@@ -64,9 +64,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     bool key(string_t& value) override {
         const TextPosition position = positions_.of(string_start());
         if (open_.back()->find(value) != nullptr) {
-            throw UserError(
-                fmt::format("{}the key \"{}\" stands twice in one object (only one could be used). Remove one.",
-                            describe(origin_, position), excerpt(value)));
+            throw UserError("{}the key \"{}\" stands twice in one object (only one could be used). Remove one.",
+                            describe(origin_, position), excerpt(value));
         }
         key_ = std::move(value);
         return true;
@@ -79,9 +78,9 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
                      const nlohmann::detail::exception& error) override {
         const std::string what = error.what();
         const std::size_t colon = what.find(": ");  // drops the library's own prefix and position
-        throw UserError(fmt::format("{}this is not JSON ({}). Check quotes, commas and brackets here and just before.",
-                                    describe(origin_, positions_.of(byte == 0 ? 0 : byte - 1)),
-                                    excerpt(colon == std::string::npos ? what : what.substr(colon + 2))));
+        throw UserError("{}this is not JSON ({}). Check quotes, commas and brackets here and just before.",
+                        describe(origin_, positions_.of(byte == 0 ? 0 : byte - 1)),
+                        excerpt(colon == std::string::npos ? what : what.substr(colon + 2)));
     }
 
   private:
@@ -130,9 +129,9 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     bool add_number(double value) { return add(token_start(), JsonValue::Kind::number, value); }
     bool open(JsonValue::Kind kind) {
         if (open_.size() >= most_levels) {
-            throw UserError(fmt::format(
+            throw UserError(
                 "{}more than {} objects and lists within each other (no file of this program has more). Close some.",
-                describe(origin_, positions_.of(consumed() - 1)), most_levels));
+                describe(origin_, positions_.of(consumed() - 1)), most_levels);
         }
         open_.push_back(&place(consumed() - 1, kind));
         return true;

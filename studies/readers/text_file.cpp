@@ -135,12 +135,12 @@ void expect_utf8(std::string_view text, const std::filesystem::path& file, FileK
     const std::size_t at = std::min(find_no_utf8(text), text.find('\0'));
     if (at == std::string_view::npos) return;
     if (const auto foreign = name_of_foreign(text); !foreign.empty())
-        throw UserError(fmt::format("{}: {} (expected {}). Check the name.", file.string(), foreign, name_of(wanted)));
+        throw UserError("{}: {} (expected {}). Check the name.", file.string(), foreign, name_of(wanted));
     const std::string_view before = text.substr(0, at);
-    throw UserError(fmt::format(
-        "{}:{}:{}: the byte 0x{:02x} is not {} (no other encoding is read). Save the file as UTF-8.", file.string(),
-        1 + std::count(before.begin(), before.end(), '\n'), before.size() - (before.rfind('\n') + 1) + 1,
-        static_cast<unsigned char>(text[at]), text[at] == '\0' ? "text" : "UTF-8"));
+    throw UserError("{}:{}:{}: the byte 0x{:02x} is not {} (no other encoding is read). Save the file as UTF-8.",
+                    file.string(), 1 + std::count(before.begin(), before.end(), '\n'),
+                    before.size() - (before.rfind('\n') + 1) + 1, static_cast<unsigned char>(text[at]),
+                    text[at] == '\0' ? "text" : "UTF-8");
 }
 
 }  // namespace
@@ -164,8 +164,8 @@ void expect_kind(FileKind wanted, std::string_view bytes, const std::filesystem:
     if (marks_of(bytes).contains(wanted)) return;
     const auto kind = kind_of(bytes);
     if (!kind) return;
-    throw UserError(fmt::format("{}: {} (expected {}). Run '{}'.", file.string(), name_of(*kind), name_of(wanted),
-                                command_for(*kind, file)));
+    throw UserError("{}: {} (expected {}). Run '{}'.", file.string(), name_of(*kind), name_of(wanted),
+                    command_for(*kind, file));
 }
 
 std::string read_bytes(const std::filesystem::path& file) {
@@ -176,8 +176,8 @@ std::string read_bytes(const std::filesystem::path& file) {
     if (in.peek() != std::ifstream::traits_type::eof()) bytes << in.rdbuf();
     if (in.fail() || !bytes) {
         const int error = errno;
-        throw IoError(fmt::format("{}: cannot be read ({}). Check the name and the permissions.", file.string(),
-                                  error == 0 ? "input error" : std::generic_category().message(error)));
+        throw IoError("{}: cannot be read ({}). Check the name and the permissions.", file.string(),
+                      error == 0 ? "input error" : std::generic_category().message(error));
     }
     return std::move(bytes).str();
 }

@@ -61,8 +61,8 @@ void expect_short_keys(std::string_view text, std::string_view origin, std::stri
         if (text[at] == '.') ++dots;
         if (around_keys.find(text[at]) != std::string_view::npos) dots = 0;
         if (dots > most_dots) {
-            throw UserError(fmt::format("{}:{}: a key of more than {} parts (no table is so deep). See {}.", origin,
-                                        line, most_dots + 1, manual));
+            throw UserError("{}:{}: a key of more than {} parts (no table is so deep). See {}.", origin, line,
+                            most_dots + 1, manual);
         }
         line += static_cast<std::uint64_t>(std::count(text.begin() + static_cast<std::ptrdiff_t>(at),
                                                       text.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
@@ -77,16 +77,15 @@ toml::table parse_toml(std::string_view text, std::string_view origin, std::stri
     try {
         return toml::parse(text);
     } catch (const toml::parse_error& error) {
-        throw UserError(fmt::format("{}: {}. See {}.", place_in(origin, error.source()), error.description(), manual));
+        throw UserError("{}: {}. See {}.", place_in(origin, error.source()), error.description(), manual);
     }
 }
 
 void TomlReader::expect_only(std::span<const std::string_view> known) const {
     for (const auto& [key, node] : *table_) {
         if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
-        throw UserError(fmt::format("{}: unknown key '{}' (it would be ignored). {}Known: {}.",
-                                    place_in(origin_, key.source()), excerpt(key.str()), did_you_mean(key.str(), known),
-                                    fmt::join(known, ", ")));
+        throw UserError("{}: unknown key '{}' (it would be ignored). {}Known: {}.", place_in(origin_, key.source()),
+                        excerpt(key.str()), did_you_mean(key.str(), known), fmt::join(known, ", "));
     }
 }
 
@@ -97,8 +96,8 @@ std::string TomlReader::place(std::string_view key) const {
 
 void TomlReader::fail(std::string_view key, std::string_view problem) const {
     const toml::node* node = find(key);
-    if (node == nullptr) throw UserError(fmt::format("{}: {}: {}", place(key), key, problem));
-    throw UserError(fmt::format("{}: {}{} {}", place(key), key, shown(*node), problem));
+    if (node == nullptr) throw UserError("{}: {}: {}", place(key), key, problem);
+    throw UserError("{}: {}{} {}", place(key), key, shown(*node), problem);
 }
 
 std::optional<std::string> TomlReader::optional_text(std::string_view key) const {

@@ -63,10 +63,10 @@ void expect_equal(const Store& a, const Store& b, const Units& units, const std:
             const auto row_b = rows_b.next();
             if (!row_a && !row_b) break;
             if (row_a == row_b && rows_a.unit() == rows_b.unit()) continue;
-            throw UserError(fmt::format(
+            throw UserError(
                 "{}: unit {} differs from the same unit of the stores before it (one of them is damaged, or was made "
                 "by another version of the program). Leave one of them out.",
-                name.string(), row_a ? rows_a.unit() : rows_b.unit()));
+                name.string(), row_a ? rows_a.unit() : rows_b.unit());
         }
     }
 }

@@ -3,8 +3,6 @@
 #include "core/support/error.hpp"
 #include "core/support/words.hpp"
 
-#include <fmt/format.h>
-
 #include <atomic>
 #include <exception>
 #include <mutex>
@@ -32,8 +30,8 @@ void for_each_index(std::uint64_t times, unsigned threads, const std::function<v
         while (pool.size() + 1 < threads) pool.emplace_back(work);
     } catch (const std::system_error& error) {
         next = times;
-        throw UserError(fmt::format("{} threads (the system started {} of them: {}). Take fewer with --threads.",
-                                    threads, pool.size(), error.code().message()));
+        throw UserError("{} threads (the system started {} of them: {}). Take fewer with --threads.", threads,
+                        pool.size(), error.code().message());
     }
     work();
     pool.clear();  // joins them
@@ -47,8 +45,7 @@ Shard parse_shard(std::string_view text) {
         const auto count = parse_bare_number<std::uint64_t>(text.substr(slash + 1));
         if (index && count && *index >= 1 && *index <= *count) return {*index, *count};
     }
-    throw UserError(
-        fmt::format("--shard {}: not a share (i/n with 1 <= i <= n is one). For the second of four write 2/4.", text));
+    throw UserError("--shard {}: not a share (i/n with 1 <= i <= n is one). For the second of four write 2/4.", text);
 }
 
 }  // namespace ff::studies

@@ -5,8 +5,6 @@
 #include "studies/run/work.hpp"
 #include "studies/trials/until.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <condition_variable>
 #include <deque>
@@ -36,8 +34,8 @@ class Workshop {
         } catch (const std::system_error& error) {
             const std::size_t started = threads_.size();
             end();
-            throw UserError(fmt::format("{} threads (the system started {} of them: {}). Take fewer with --threads.",
-                                        wanted, started, error.code().message()));
+            throw UserError("{} threads (the system started {} of them: {}). Take fewer with --threads.", wanted,
+                            started, error.code().message());
         }
     }
 

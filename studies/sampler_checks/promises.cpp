@@ -81,8 +81,7 @@ Promise parse_promise(std::string_view text) {
     if (text.starts_with("net:")) {
         if (const auto t = parse_bare_number<std::uint32_t>(text.substr(4))) return {PromiseKind::net, *t};
     }
-    throw UserError(
-        fmt::format("--promises {}. It is latin, net:T with a number T, stratified or lattice.", excerpt(text)));
+    throw UserError("--promises {}. It is latin, net:T with a number T, stratified or lattice.", excerpt(text));
 }
 
 std::string name_of(const Promise& promise) {

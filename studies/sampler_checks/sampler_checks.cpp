@@ -177,7 +177,7 @@ std::uint32_t base_of(const SamplerInfo& info, std::uint64_t points) {
 void expect_possible(const SamplerCheckRequest& request, std::uint32_t base) {
     for (const Promise& promise : request.promises) {
         const std::string why = why_impossible(promise, request.points, request.dimension, base);
-        if (!why.empty()) throw UserError(fmt::format("--promises {} ({}). Change --n.", name_of(promise), why));
+        if (!why.empty()) throw UserError("--promises {} ({}). Change --n.", name_of(promise), why);
     }
 }
 
@@ -220,8 +220,7 @@ std::uint64_t usual_trials(const SamplerInfo& info, std::uint64_t points) {
 SamplerChecks check_sampler(const samplers::CatalogueEntry& sampler, const SamplerCheckRequest& request) {
     const SamplerInfo& info = sampler.info;
     if (!info.equal_weights)
-        throw UserError(
-            fmt::format("{} (its points have weights: a rule, not a sampler). Run a study with it.", info.name));
+        throw UserError("{} (its points have weights: a rule, not a sampler). Run a study with it.", info.name);
     const StreamKey key =
         derive_key(Seed{request.seed}, fmt::format("check-sampler|{}|n={}", info.name, request.points));
     const samplers::PointSetSpec spec{.points = request.points, .dimension = request.dimension, .key = key};
@@ -229,8 +228,7 @@ SamplerChecks check_sampler(const samplers::CatalogueEntry& sampler, const Sampl
     SamplerChecks result;
     result.trials = request.trials == 0 ? usual_trials(info, request.points) : request.trials;
     if (info.most_trials != 0 && result.trials > info.most_trials)
-        throw UserError(
-            fmt::format("--trials {} ({} has {}). Take fewer.", result.trials, info.name, info.most_trials));
+        throw UserError("--trials {} ({} has {}). Take fewer.", result.trials, info.name, info.most_trials);
     const std::uint32_t base = base_of(info, request.points);
     expect_possible(request, base);
     result.checks.push_back(same_bits(sampler, spec, key));

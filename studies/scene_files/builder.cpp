@@ -145,7 +145,7 @@ std::string SceneBuilder::owner(int face) const {
 }
 
 void SceneBuilder::fail(std::uint64_t line, std::string_view problem) const {
-    throw UserError(fmt::format("{}:{}: {}", name_, line, problem));
+    throw UserError("{}:{}: {}", name_, line, problem);
 }
 
 void SceneBuilder::note(const Vector3d& place) {
@@ -317,15 +317,14 @@ void SceneBuilder::remark_on_changes() {
 }
 
 Scene SceneBuilder::finish(bool closed, std::vector<FaceMaterial>* materials) {
-    if (scene_.faces.empty()) throw UserError(fmt::format("{}: no face (nothing would be computed). Add one.", name_));
+    if (scene_.faces.empty()) throw UserError("{}: no face (nothing would be computed). Add one.", name_);
     std::vector<std::size_t> surfaces_of(scene_.faces.size());
     for (const Surface& surface : scene_.surfaces) {
         if (surface.face != no_face) ++surfaces_of[static_cast<std::size_t>(surface.face)];
     }
     for (std::size_t face = 0; face < surfaces_of.size(); ++face) {
         if (surfaces_of[face] == 0)
-            throw UserError(
-                fmt::format("{}: face '{}' has no surface. Remove it, or give it one.", name_, scene_.faces[face]));
+            throw UserError("{}: face '{}' has no surface. Remove it, or give it one.", name_, scene_.faces[face]);
     }
     leave_out_doubles();
     for (const std::size_t surface : has_windings_ ? find_winding(scene_).turned : std::vector<std::size_t>()) {
@@ -341,8 +340,8 @@ Scene SceneBuilder::finish(bool closed, std::vector<FaceMaterial>* materials) {
     scene_.coordinate_rounding = coordinate_rounding(coordinates, box.sizes().maxCoeff());
     cut_out_covered_parts(materials);
     if (scene_.faces.empty())
-        throw UserError(fmt::format(
-            "{}: faces cover each other wholly (nothing would be computed). Remove those that are not meant.", name_));
+        throw UserError(
+            "{}: faces cover each other wholly (nothing would be computed). Remove those that are not meant.", name_);
     scene_.canonical = canonical_of(scene_);
     return std::move(scene_);
 }

@@ -58,9 +58,9 @@ class ZoneReader {
         for (const ZoneWall& wall : walls_) add(wall);
         remark_on_what_differs();
         if (walls_.empty())
-            throw UserError(fmt::format(
+            throw UserError(
                 "{}: zone '{}' has no surface that is read (nothing would be computed). Choose another one.", name_,
-                excerpt(zones_.chosen())));
+                excerpt(zones_.chosen()));
         Scene scene = builder_.finish(true);
         return {std::move(scene), zones_.chosen()};
     }

@@ -40,9 +40,9 @@ class EnergyPlusZones {
                                 std::pair(object.text("name"), object.small_text("zone_name")));
         }
         if (!rules_are_read_)
-            throw UserError(fmt::format(
-                "{}: no GlobalGeometryRules (it says which side of a surface faces the zone). Add the object.", file));
-        if (zones_.empty()) throw UserError(fmt::format("{}: no zone (nothing would be computed). Add one.", file));
+            throw UserError(
+                "{}: no GlobalGeometryRules (it says which side of a surface faces the zone). Add the object.", file);
+        if (zones_.empty()) throw UserError("{}: no zone (nothing would be computed). Add one.", file);
         choose(wanted, objects);
     }
 

@@ -199,9 +199,8 @@ class GltfCheck {
 };
 
 [[noreturn]] void refuse_name(const std::string& file, const meshes::MeshKind& kind) {
-    throw UserError(
-        fmt::format("{}: {} by its content (its name says that it is something else). Rename it to end in {}.", file,
-                    kind.name, kind.extension));
+    throw UserError("{}: {} by its content (its name says that it is something else). Rename it to end in {}.", file,
+                    kind.name, kind.extension);
 }
 
 std::string gltf_as_obj(const std::string& file, std::string_view bytes) {
@@ -210,12 +209,12 @@ std::string gltf_as_obj(const std::string& file, std::string_view bytes) {
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* scene = importer.ReadFile(file, aiProcess_SortByPType | aiProcess_ValidateDataStructure);
     if (scene == nullptr || scene->mRootNode == nullptr)
-        throw UserError(fmt::format("{}: cannot be read as a mesh ({}). Write it again, or as OBJ.", file,
-                                    excerpt(importer.GetErrorString())));
+        throw UserError("{}: cannot be read as a mesh ({}). Write it again, or as OBJ.", file,
+                        excerpt(importer.GetErrorString()));
     ObjWriter writer(*scene);
     if (writer.is_empty())
-        throw UserError(fmt::format(
-            "{}: no polygon with an area (nothing would be computed). Write the mesh with its polygons.", file));
+        throw UserError("{}: no polygon with an area (nothing would be computed). Write the mesh with its polygons.",
+                        file);
     return std::move(writer).text();
 }
 
@@ -233,17 +232,15 @@ void expect_no_mesh(const std::filesystem::path& file, std::string_view bytes) {
 std::string mesh_as_obj(const std::filesystem::path& file) {
     const std::string name = file.string();
     const std::string bytes = read_bytes(file);
-    if (bytes.empty())
-        throw IoError(fmt::format("{}: cannot be read (empty). Check the name and the permissions.", name));
+    if (bytes.empty()) throw IoError("{}: cannot be read (empty). Check the name and the permissions.", name);
     const auto* const kind = meshes::mesh_kind(bytes);
     if (kind == nullptr && has_extension(name, ".msh"))
-        throw UserError(fmt::format(
+        throw UserError(
             "{}: no mesh of gmsh from version 2 on (it would begin with $MeshFormat). Save it as version 2 or 4.",
-            name));
+            name);
     if (kind == nullptr && (has_extension(name, ".vtk") || has_extension(name, ".vtu") || has_extension(name, ".vtp")))
-        throw UserError(fmt::format(
-            "{}: no file of VTK (it would begin with '# vtk DataFile', or as XML with VTKFile). Write it again.",
-            name));
+        throw UserError(
+            "{}: no file of VTK (it would begin with '# vtk DataFile', or as XML with VTKFile). Write it again.", name);
     // Files of these formats need not have a mark; the readers of the others say what is wrong with them.
     if (kind == nullptr && has_extension(name, ".stl")) return meshes::read_stl(name, bytes).as_obj();
     if (kind == nullptr && has_extension(name, ".ply")) return meshes::read_ply(name, bytes).as_obj();

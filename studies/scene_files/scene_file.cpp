@@ -30,12 +30,12 @@ constexpr std::array<std::string_view, 9> mesh_extensions{".stl", ".ply", ".off"
 SceneWithMaterials scene_without_mirrors(const SceneSource& source) {
     const std::string& name = source.name;
     if (!source.zone.empty() && !names_energyplus(name))
-        throw UserError(fmt::format(
-            "zone '{}': '{}' is no input file of EnergyPlus (others have no zones). Leave it out.", source.zone, name));
+        throw UserError("zone '{}': '{}' is no input file of EnergyPlus (others have no zones). Leave it out.",
+                        source.zone, name);
     if (!source.is_file()) return {built_in_scene(name), {}};
     if (!source.text) {
-        throw UserError(fmt::format(
-            "scene '{}' (scene files can be named by study and tables files only). Take cube or box:AxBxC.", name));
+        throw UserError("scene '{}' (scene files can be named by study and tables files only). Take cube or box:AxBxC.",
+                        name);
     }
     if (has_extension(name, ".obj")) return read_obj_scene(name, *source.text);
     if (names_mesh(name)) return read_obj_scene(fmt::format("{} as OBJ", name), *source.text);
@@ -138,9 +138,9 @@ Scene make_scene(const SceneSource& source) {
 void expect_no_masks(const Scene& scene) {
     if (scene.masks.empty()) return;
     throw UserError(
-        fmt::format("scene '{}': '{}' masks a part of '{}' (only ffstudy form-factors takes masks). Write it as a null "
-                    "surface (N).",
-                    scene.name, scene.masks.front().name, scene.masks.front().base));
+        "scene '{}': '{}' masks a part of '{}' (only ffstudy form-factors takes masks). Write it as a null "
+        "surface (N).",
+        scene.name, scene.masks.front().name, scene.masks.front().base);
 }
 
 Scene make_scene(std::string_view title) {

@@ -51,9 +51,9 @@ StudySpec make_convergence_study(const ConvergenceRequest& request) {
     for (const std::string& sampler : request.samplers) {
         if (sampler_of_user(sampler).info.sizes != samplers::Sizes::nodes) continue;
         throw UserError(
-            fmt::format("sampler {} (it has nodes instead of sizes, and runs once). "
-                        "Write a study file with patches_per_face = [4, 16, 64].",
-                        sampler));
+            "sampler {} (it has nodes instead of sizes, and runs once). "
+            "Write a study file with patches_per_face = [4, 16, 64].",
+            sampler);
     }
     try {
         return parse_study(study_text(request), convergence_origin);

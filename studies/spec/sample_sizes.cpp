@@ -5,8 +5,6 @@
 #include "core/support/words.hpp"
 #include "samplers/support/sizes.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <optional>
 #include <unordered_set>
@@ -27,16 +25,14 @@ std::uint64_t read_count(std::string_view text) {
     const auto exponent =
         hat == std::string_view::npos ? std::optional<std::uint64_t>(1) : whole_number(text.substr(hat + 1));
     if (!base || !exponent) {
-        throw UserError(
-            fmt::format("('{}' is not a number of points). Write 1000, 5^4, or a range 2^6..2^16.", excerpt(text)));
+        throw UserError("('{}' is not a number of points). Write 1000, 5^4, or a range 2^6..2^16.", excerpt(text));
     }
     std::uint64_t value = std::min<std::uint64_t>(*base, 1);
     if (*base > 1) {
         for (std::uint64_t i = 0; i < *exponent && value <= samplers::max_points; ++i) value *= *base;
     }
     if (value == 0 || value > samplers::max_points) {
-        throw UserError(
-            fmt::format("('{}' is not between 1 and 2^32 points). Take more trials instead.", excerpt(text)));
+        throw UserError("('{}' is not between 1 and 2^32 points). Take more trials instead.", excerpt(text));
     }
     return value;
 }
@@ -50,8 +46,7 @@ std::vector<std::uint64_t> read_part(std::string_view text, const samplers::Samp
     if (low > high) throw UserError("(the range ends before it begins). Write the smaller number first.");
     auto sizes = samplers::size_ladder(sampler, low, high, dimension);
     if (sizes.empty()) {
-        throw UserError(
-            fmt::format("(no size that {} is made for lies in this range). Widen it, e.g. 2^6..2^16.", sampler.name));
+        throw UserError("(no size that {} is made for lies in this range). Widen it, e.g. 2^6..2^16.", sampler.name);
     }
     return sizes;
 }

@@ -80,8 +80,8 @@ std::vector<std::vector<double>> read_settings(const TomlReader& reader, std::st
 
 void expect_numbers_for(const std::vector<double>& numbers, std::string_view what, const Scene& scene) {
     if (numbers.size() <= 1 || numbers.size() == scene.faces.size()) return;
-    throw UserError(fmt::format("[radiosity]: {} has {} numbers (scene '{}' has {} faces). Give one, or one for each.",
-                                what, numbers.size(), scene.name, scene.faces.size()));
+    throw UserError("[radiosity]: {} has {} numbers (scene '{}' has {} faces). Give one, or one for each.", what,
+                    numbers.size(), scene.name, scene.faces.size());
 }
 
 }  // namespace
@@ -105,10 +105,10 @@ RadiosityRequest read_radiosity(const TomlReader& reader) {
 void check_radiosity(const RadiosityRequest& request, const std::string& place) {
     for (const auto& setting : request.reflectance) {
         if (const auto problem = problem_with_reflectance(setting); !problem.empty())
-            throw UserError(fmt::format("{}reflectance {}", place, problem));
+            throw UserError("{}reflectance {}", place, problem);
     }
     if (const auto problem = problem_with_emission(request.emission); !problem.empty())
-        throw UserError(fmt::format("{}emission {}", place, problem));
+        throw UserError("{}emission {}", place, problem);
 }
 
 std::vector<double> parse_numbers(const std::string& text, const std::string& option) {
@@ -116,7 +116,7 @@ std::vector<double> parse_numbers(const std::string& text, const std::string& op
     for (const std::string_view part : split_at(',', text)) {
         const auto number = parse_bare_number<double>(part);
         if (!number || !std::isfinite(*number))
-            throw UserError(fmt::format("{} {}: not a list of numbers. Write it like 0.5,0.9.", option, text));
+            throw UserError("{} {}: not a list of numbers. Write it like 0.5,0.9.", option, text);
         numbers.push_back(*number);
     }
     return numbers;
@@ -134,14 +134,14 @@ std::string to_toml(const RadiosityRequest& request) {
 void expect_fitting(const RadiosityRequest& request, const Scene& scene) {
     if (!scene.closed) {
         throw UserError(
-            fmt::format("[radiosity]: scene '{}' is open (where light leaves, rows need not sum to 1, and "
-                        "what is lost by errors cannot be told). Close it, or leave the section out.",
-                        scene.name));
+            "[radiosity]: scene '{}' is open (where light leaves, rows need not sum to 1, and "
+            "what is lost by errors cannot be told). Close it, or leave the section out.",
+            scene.name);
     }
     if (!exact_room_factors(scene)) {
-        throw UserError(fmt::format(
+        throw UserError(
             "[radiosity]: scene '{}' has no exact form factors to compare with ({}). Leave the section out.",
-            scene.name, why_no_exact_factors(scene)));
+            scene.name, why_no_exact_factors(scene));
     }
     for (const auto& setting : request.reflectance) expect_numbers_for(setting, "reflectance", scene);
     expect_numbers_for(request.emission, "emission", scene);
@@ -171,7 +171,7 @@ StoppingRule read_stopping_rule(const TomlReader& reader, std::uint64_t trials) 
 StoppingRule parse_stopping_rule(std::string_view text) {
     const std::size_t equals = text.find('=');
     const auto fail = [&](std::string_view why) {
-        return UserError(fmt::format("--until {} ({}). Write rmse=1e-5 or ci=1e-5.", text, why));
+        return UserError("--until {} ({}). Write rmse=1e-5 or ci=1e-5.", text, why);
     };
     if (equals == std::string_view::npos) throw fail("expected a goal and its value");
     const auto goal = value_named<StoppingGoal>(text.substr(0, equals));

@@ -178,7 +178,7 @@ std::string problem_with_trials(std::uint64_t trials) {
 
 void set_trials(StudySpec& spec, std::uint64_t trials) {
     if (const auto problem = problem_with_trials(trials); !problem.empty())
-        throw UserError(fmt::format("--trials {} {}", trials, problem));
+        throw UserError("--trials {} {}", trials, problem);
     for (Method& method : spec.methods) {
         for (Size& size : method.sizes) {
             if (!size.trials) continue;
@@ -191,14 +191,13 @@ void set_trials(StudySpec& spec, std::uint64_t trials) {
     spec.trials = trials;
     const auto largest = std::ranges::max_element(spec.coverage);
     if (largest != spec.coverage.end() && trials / 2 < *largest) {
-        throw UserError(
-            fmt::format("--trials {} (coverage is measured with groups of {} trials, two at least). Take {} or more.",
-                        trials, *largest, 2 * *largest));
+        throw UserError("--trials {} (coverage is measured with groups of {} trials, two at least). Take {} or more.",
+                        trials, *largest, 2 * *largest);
     }
     if (!spec.until) return;
     if (trials < fewest_pilot_trials) {
-        throw UserError(fmt::format("--trials {} (the pilot of an adaptive study has at least {}). Take more.", trials,
-                                    fewest_pilot_trials));
+        throw UserError("--trials {} (the pilot of an adaptive study has at least {}). Take more.", trials,
+                        fewest_pilot_trials);
     }
     spec.until->pilot = std::min(spec.until->pilot, trials);
 }

@@ -2,7 +2,6 @@
 
 #include "core/support/error.hpp"
 
-#include <fmt/format.h>
 #include <sqlite3.h>
 #include <sys/vfs.h>
 
@@ -29,14 +28,13 @@ static_assert(std::endian::native == std::endian::little, "blobs are little-endi
     const char* name = sqlite3_db_filename(database, "main");
     const std::string file = name == nullptr ? "result store" : name;
     if (sqlite3_errcode(database) == SQLITE_NOTADB) {
-        throw UserError(fmt::format("{}: not a result store (no SQLite file). Give one written by ffstudy.", file));
+        throw UserError("{}: not a result store (no SQLite file). Give one written by ffstudy.", file);
     }
     const int error = sqlite3_errcode(database);
-    throw IoError(fmt::format("{}: {} (SQLite error {}). {}", file, sqlite3_errmsg(database),
-                              sqlite3_extended_errcode(database),
-                              error == SQLITE_BUSY || error == SQLITE_LOCKED
-                                  ? "Close the other program that has it open, and run the same command again."
-                                  : "Check the disk, the permissions and the file."));
+    throw IoError("{}: {} (SQLite error {}). {}", file, sqlite3_errmsg(database), sqlite3_extended_errcode(database),
+                  error == SQLITE_BUSY || error == SQLITE_LOCKED
+                      ? "Close the other program that has it open, and run the same command again."
+                      : "Check the disk, the permissions and the file.");
 }
 
 /// Undoes a change that a killed program left half-written, which a connection that only reads cannot do.
@@ -160,9 +158,8 @@ std::string sqlite_name(const std::filesystem::path& file) {
     if (file == ":memory:") return file.string();
     std::string name = std::filesystem::absolute(file).string();
     if (name.size() > longest_name) {
-        throw IoError(
-            fmt::format("{}: a path of {} bytes is too long for SQLite, which takes {}. Choose a shorter one.",
-                        file.string(), name.size(), longest_name));
+        throw IoError("{}: a path of {} bytes is too long for SQLite, which takes {}. Choose a shorter one.",
+                      file.string(), name.size(), longest_name);
     }
     return name;
 }
@@ -175,7 +172,7 @@ Database::Database(const std::filesystem::path& file, Mode mode) {
     if (sqlite3_open_v2(sqlite_name(file).c_str(), &handle_, flags, nullptr) != SQLITE_OK) {
         const std::string reason = handle_ == nullptr ? "out of memory" : sqlite3_errmsg(handle_);
         sqlite3_close_v2(handle_);
-        throw IoError(fmt::format("{}: {}. Check that the folder exists and can be written.", file.string(), reason));
+        throw IoError("{}: {}. Check that the folder exists and can be written.", file.string(), reason);
     }
     sqlite3_busy_timeout(handle_, patience_ms);
     // A file from elsewhere must not run code: no trigger, no view, no function in its schema.
@@ -253,8 +250,8 @@ Journal journal_in(const std::filesystem::path& folder) {
     struct statfs information {};
     const std::filesystem::path place = folder.empty() ? "." : folder;
     if (::statfs(place.c_str(), &information) != 0) {
-        throw IoError(fmt::format("{}: its file system cannot be looked at ({}). Check that the folder exists.",
-                                  place.string(), std::generic_category().message(errno)));
+        throw IoError("{}: its file system cannot be looked at ({}). Check that the folder exists.", place.string(),
+                      std::generic_category().message(errno));
     }
     // The field is signed on some systems; magic numbers have 32 bits.
     return journal_for(static_cast<std::uint32_t>(information.f_type));

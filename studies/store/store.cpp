@@ -191,8 +191,7 @@ Store Store::open(const std::filesystem::path& file) {
 void Store::commit(const UnitRecord& record) {
     const WorkUnit& unit = plan_.units.at(record.unit);
     if (database_->has_moved()) {
-        throw IoError(
-            fmt::format("{}: moved or removed while the study ran. What was saved is in it.", database_->file()));
+        throw IoError("{}: moved or removed while the study ran. What was saved is in it.", database_->file());
     }
     database_->execute("BEGIN IMMEDIATE");
     Statement(database_->handle(), "INSERT INTO units VALUES(?, ?, ?, ?, ?, ?, ?) ON CONFLICT DO NOTHING")
@@ -291,8 +290,8 @@ std::string difference_of_study(const std::filesystem::path& file, const StudySp
 void expect_same_study(const Database& database, const std::filesystem::path& file, const StudySpec& wanted) {
     const std::string difference = difference_from(database, wanted);
     if (difference.empty()) return;
-    throw UserError(fmt::format("{}: holds another study (differs in {}). Choose another --out, or remove the folder.",
-                                file.string(), difference));
+    throw UserError("{}: holds another study (differs in {}). Choose another --out, or remove the folder.",
+                    file.string(), difference);
 }
 
 }  // namespace ff::studies

@@ -30,8 +30,8 @@ void expect_own_tables(const Database& database, const std::filesystem::path& fi
     for (const auto& [table, sql] : definitions(model)) {
         const auto found = there.find(table);
         if (found != there.end() && found->second == sql) continue;
-        throw UserError(fmt::format("{}: not a {} (table '{}' is {}). Give a file written by ffstudy.", file.string(),
-                                    format.what, table, found == there.end() ? "missing" : "defined otherwise"));
+        throw UserError("{}: not a {} (table '{}' is {}). Give a file written by ffstudy.", file.string(), format.what,
+                        table, found == there.end() ? "missing" : "defined otherwise");
     }
 }
 
@@ -57,8 +57,7 @@ void expect_file(const std::filesystem::path& file) {
     const bool unknown = type == std::filesystem::file_type::none;
     const std::string_view what = kind_of_no_file(type);
     if (what.empty()) return;
-    throw IoError(fmt::format("{}: {}. Give a folder or file written by ffstudy.", file.string(),
-                              unknown ? error.message() : what));
+    throw IoError("{}: {}. Give a folder or file written by ffstudy.", file.string(), unknown ? error.message() : what);
 }
 
 /// @throws UserError for a file of another kind that commands take
@@ -84,18 +83,18 @@ std::optional<std::string> stored_value(const Database& database, const StoreFor
 
 int expect_readable(const Database& database, const std::filesystem::path& file, const StoreFormat& format) {
     if (!database.has_table(format.keys)) {
-        throw UserError(fmt::format("{}: not a {} (no table '{}'). Give a file written by ffstudy.", file.string(),
-                                    format.what, format.keys));
+        throw UserError("{}: not a {} (no table '{}'). Give a file written by ffstudy.", file.string(), format.what,
+                        format.keys);
     }
     const std::string stored = stored_value(database, format, "schema_version").value_or("none");
     int version = format.oldest;
     while (version <= format.version && stored != std::to_string(version)) ++version;
     if (version > format.version) {
         throw UserError(
-            fmt::format("{}: schema version {} (this program reads {}{}). Use the version of ffstudy that "
-                        "wrote it.",
-                        file.string(), stored,
-                        format.oldest < format.version ? fmt::format("{} to ", format.oldest) : "", format.version));
+            "{}: schema version {} (this program reads {}{}). Use the version of ffstudy that "
+            "wrote it.",
+            file.string(), stored, format.oldest < format.version ? fmt::format("{} to ", format.oldest) : "",
+            format.version);
     }
     expect_own_tables(database, file, format, version);
     return version;
@@ -120,9 +119,9 @@ void expect_no_log_of_another(const std::filesystem::path& file) {
     std::error_code none;
     if (std::filesystem::file_size(log, none) == 0 || none) return;
     throw IoError(
-        fmt::format("{}: a log beside a file that was made whole (it has none, so the log is of another). Remove the "
-                    "log, if {} is what you want to keep.",
-                    log.string(), file.filename().string()));
+        "{}: a log beside a file that was made whole (it has none, so the log is of another). Remove the "
+        "log, if {} is what you want to keep.",
+        log.string(), file.filename().string());
 }
 
 std::unique_ptr<Database> open_store(const std::filesystem::path& file, const StoreFormat& format) {
@@ -170,8 +169,7 @@ void expect_sound_context(const Database& database, const std::filesystem::path&
 }
 
 void report_damage(const std::filesystem::path& file, const std::string& what) {
-    throw IoError(
-        fmt::format("{}: damaged ({}). Take a copy, or remove it and run the study again.", file.string(), what));
+    throw IoError("{}: damaged ({}). Take a copy, or remove it and run the study again.", file.string(), what);
 }
 
 }  // namespace ff::studies

@@ -5,8 +5,6 @@
 #include "core/support/error.hpp"
 #include "core/visibility/facing.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -20,9 +18,9 @@ std::vector<double> direct_values(const Store& store, std::size_t cell, const Di
     auto series = store.series(cell, counted ? observable::hits : observable::estimate, from, to);
     if (series.trial != direct.trial_numbers) {
         throw IoError(
-            fmt::format("{}: damaged (cell {} lacks trials of faces {} and {}). Take a copy, or remove it and "
-                        "run the study again.",
-                        store.database().file(), cell, from, to));
+            "{}: damaged (cell {} lacks trials of faces {} and {}). Take a copy, or remove it and "
+            "run the study again.",
+            store.database().file(), cell, from, to);
     }
     return std::move(series.value);
 }

@@ -40,9 +40,9 @@ Levels levels_of(const Spec& spec, std::size_t comparisons) {
     const std::size_t questions = std::max<std::size_t>(1, spec.gates.size()) * spec.looks * comparisons;
     const double shared = stats::bonferroni_level(spec.alpha, questions);
     if (shared < smallest_shared_alpha)
-        throw UserError(fmt::format(
+        throw UserError(
             "{}: alpha = {:g} (shared among {} comparisons it is below {:g}, which is not computed). Raise it.",
-            spec.name, spec.alpha, questions, smallest_shared_alpha));
+            spec.name, spec.alpha, questions, smallest_shared_alpha);
     return {.fail_alpha = shared, .pass_alpha = spec.pass_alpha / static_cast<double>(spec.looks), .power = spec.power};
 }
 
@@ -97,7 +97,7 @@ std::optional<KnownLaw> parse_law(std::string_view text, std::string& problem) {
 }
 
 void refuse_gate(const Gate& gate, const std::string& problem) {
-    throw UserError(fmt::format("{}: {}", gate.place, problem));
+    throw UserError("{}: {}", gate.place, problem);
 }
 
 void refuse_undecidable(const Gate& gate, std::string_view unit) {

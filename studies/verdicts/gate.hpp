@@ -5,8 +5,6 @@
 #include "studies/readers/names.hpp"
 #include "studies/verdicts/verdict.hpp"
 
-#include <fmt/format.h>
-
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -171,9 +169,9 @@ template <class Task>
 auto at_gate(const Gate& gate, const Task& task) {
     const auto named = [&gate](const std::exception& error) {
         return UserError(
-            fmt::format("{}: gate '{}' cannot be judged (a statistic is beyond what can be computed: {}). Look for "
-                        "values that are far from all others, or choose another band.",
-                        gate.place, gate.name, error.what()));
+            "{}: gate '{}' cannot be judged (a statistic is beyond what can be computed: {}). Look for "
+            "values that are far from all others, or choose another band.",
+            gate.place, gate.name, error.what());
     };
     try {
         return task();

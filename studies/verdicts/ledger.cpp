@@ -83,15 +83,15 @@ double share_of_look(const Spec& spec, std::size_t number) {
 Spec at_look(Spec spec, std::size_t number) {
     if (spec.spending != Spending::halving && number > spec.looks)
         throw UserError(
-            fmt::format("--again (look {} of {}: all of alpha is spent). The commit stays undecided; look at another "
-                        "one with more trials.",
-                        number, spec.looks));
+            "--again (look {} of {}: all of alpha is spent). The commit stays undecided; look at another "
+            "one with more trials.",
+            number, spec.looks);
     const double share = share_of_look(spec, number);
     if (spec.alpha * share < smallest_alpha)
         throw UserError(
-            fmt::format("--again (look {} would have a share of {:.1g} of alpha = {:g}; below {:g} nothing is "
-                        "computed). Run more trials at once, or widen the band.",
-                        number, share, spec.alpha, smallest_alpha));
+            "--again (look {} would have a share of {:.1g} of alpha = {:g}; below {:g} nothing is "
+            "computed). Run more trials at once, or widen the band.",
+            number, share, spec.alpha, smallest_alpha);
     spec.alpha *= share;
     spec.pass_alpha *= share;
     return spec;

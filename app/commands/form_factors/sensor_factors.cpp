@@ -43,7 +43,7 @@ Vector3d normal_of(const Sensor& sensor) {
 /// @throws UserError where the normal has no direction
 void expect_normal(const Sensor& sensor, std::string_view where) {
     if (normal_of(sensor).stableNorm() > 0) return;
-    throw UserError(fmt::format("{}: its normal is 0 (it faces nowhere). Write a direction, such as 0,0,1.", where));
+    throw UserError("{}: its normal is 0 (it faces nowhere). Write a direction, such as 0,0,1.", where);
 }
 
 std::vector<Sensor> read_sensors(const std::string& from) {
@@ -54,9 +54,9 @@ std::vector<Sensor> read_sensors(const std::string& from) {
             const auto value = parts.size() == sensor.size() ? finite_number(trimmed(parts[k])) : std::nullopt;
             if (!value)
                 throw UserError(
-                    fmt::format("--from {} (expected six numbers: a place and a normal). Write "
-                                "point:0.5,0.5,1,0,0,1.",
-                                from));
+                    "--from {} (expected six numbers: a place and a normal). Write "
+                    "point:0.5,0.5,1,0,0,1.",
+                    from);
             sensor[k] = *value;
         }
         expect_normal(sensor, "--from " + from);
@@ -65,15 +65,14 @@ std::vector<Sensor> read_sensors(const std::string& from) {
     const std::string text = studies::read_bytes(from);
     studies::CsvReader reader(text, from);
     std::vector<studies::CsvField> record;
-    if (!reader.next(record))
-        throw UserError(fmt::format("{}: no points. Write x,y,z,nx,ny,nz and a line each.", from));
+    if (!reader.next(record)) throw UserError("{}: no points. Write x,y,z,nx,ny,nz and a line each.", from);
     const auto columns = studies::find_columns(reader, record, columns_of_sensors);
     std::vector<Sensor> sensors;
     while (reader.next(record)) {
         for (std::size_t k = 0; k < sensor.size(); ++k) {
             if (!columns[k])
-                throw UserError(fmt::format("{}: column {} is missing. Write x,y,z,nx,ny,nz and a line for each point.",
-                                            from, columns_of_sensors[k]));
+                throw UserError("{}: column {} is missing. Write x,y,z,nx,ny,nz and a line for each point.", from,
+                                columns_of_sensors[k]);
             const auto value =
                 *columns[k] < record.size() ? finite_number(trimmed(record[*columns[k]].text)) : std::nullopt;
             if (!value)
@@ -84,7 +83,7 @@ std::vector<Sensor> read_sensors(const std::string& from) {
         expect_normal(sensor, fmt::format("{}:{}", from, record.front().line));
         sensors.push_back(sensor);
     }
-    if (sensors.empty()) throw UserError(fmt::format("{}: no points. Write a line for each.", from));
+    if (sensors.empty()) throw UserError("{}: no points. Write a line for each.", from);
     return sensors;
 }
 

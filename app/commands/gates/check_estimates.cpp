@@ -4,8 +4,6 @@
 #include "studies/readers/text_file.hpp"
 #include "studies/verdicts/reported/reported_gates.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace ff::app {
@@ -34,17 +32,17 @@ void expect_gates_on_trials(const CheckCommand& command, const Spec& spec) {
         if (!gate.from_estimates() || (of_trials && gate.reference)) continue;
         if (of_distributions && (gate.law || !command.against.empty())) continue;
         throw UserError(
-            fmt::format("{}: gate \"{}\" ({} is of trials, which are gated on bias and std beside a number, and on "
-                        "their distribution beside a known one or --against). Give means with standard errors, or a "
-                        "reference.",
-                        gate.place, gate.name, command.estimates.string()));
+            "{}: gate \"{}\" ({} is of trials, which are gated on bias and std beside a number, and on "
+            "their distribution beside a known one or --against). Give means with standard errors, or a "
+            "reference.",
+            gate.place, gate.name, command.estimates.string());
     }
     if (!command.against.empty() && !two_files)
         throw UserError(
-            fmt::format("--against {} ({} has trials, and no gate compares their distribution with that of others; "
-                        "means are compared with their errors). Give files with the columns "
-                        "quantity,mean,standard_error.",
-                        command.against.string(), command.estimates.string()));
+            "--against {} ({} has trials, and no gate compares their distribution with that of others; "
+            "means are compared with their errors). Give files with the columns "
+            "quantity,mean,standard_error.",
+            command.against.string(), command.estimates.string());
 }
 
 /// The results of one of two functions for each gate, from the file and the one that it is compared with: `of_trials`,
@@ -82,14 +80,14 @@ void expect_estimates(const CheckCommand& command, const Spec& spec) {
     const bool given = !command.estimates.empty();
     if (wanting != gates.end() && !given)
         throw UserError(
-            fmt::format("{}: gate \"{}\" is on estimates of another program (none are given). Add "
-                        "--estimates FILE.csv.",
-                        wanting->place, wanting->name));
+            "{}: gate \"{}\" is on estimates of another program (none are given). Add "
+            "--estimates FILE.csv.",
+            wanting->place, wanting->name);
     if (wanting == gates.end() && given)
         throw UserError(
-            fmt::format("--estimates {} (no gate of {} has a quantity, so none would be judged). Add a gate "
-                        "with quantity = \"...\", or leave the option out.",
-                        command.estimates.string(), command.bands.string()));
+            "--estimates {} (no gate of {} has a quantity, so none would be judged). Add a gate "
+            "with quantity = \"...\", or leave the option out.",
+            command.estimates.string(), command.bands.string());
     if (!given && !command.against.empty())
         throw UserError("--against (it is what --estimates FILE is compared with, and there is none). Add it.");
     if (given && command.seed_sweep > 0)
@@ -98,9 +96,9 @@ void expect_estimates(const CheckCommand& command, const Spec& spec) {
     const auto of_ours = [](const studies::gates::Gate& gate) { return !gate.from_estimates(); };
     if (given && !command.save_baseline.empty() && std::any_of(gates.begin(), gates.end(), of_ours))
         throw UserError(
-            fmt::format("--save-baseline ({} has gates on estimates and gates that are run; a baseline is of "
-                        "one kind). Give them bands files of their own.",
-                        command.bands.string()));
+            "--save-baseline ({} has gates on estimates and gates that are run; a baseline is of "
+            "one kind). Give them bands files of their own.",
+            command.bands.string());
 }
 
 std::vector<studies::gates::GateResult> judge_file(const CheckCommand& command, const Spec& spec) {

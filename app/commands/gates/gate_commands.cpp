@@ -254,9 +254,9 @@ void save_means(const CheckCommand& command) {
             const double error = *moments.standard_error();
             if (error == 0)
                 throw UserError(
-                    fmt::format("{}: all values of '{}' are equal (no spread is no evidence of precision). "
-                                "Was every trial seeded alike?",
-                                origin, series.quantity));
+                    "{}: all values of '{}' are equal (no spread is no evidence of precision). "
+                    "Was every trial seeded alike?",
+                    origin, series.quantity);
             means += fmt::format("{},{},{},{}\n", reports::csv_field(series.quantity), first + *moments.bias(), error,
                                  series.values.size());
         }

@@ -33,13 +33,13 @@ void expect_same(const Database& database, const std::filesystem::path& file, co
         const auto there = stored_value(database, kept_rows_format, key);
         const auto here = stored_value(wanted, kept_rows_format, key);
         if (there == here) continue;
-        throw UserError(fmt::format(
+        throw UserError(
             "{}: rows of another matrix ({}). Resume with the scene and options that it was begun with, or choose "
             "another --out.",
             file.string(),
             std::string_view(key).starts_with("scene")
                 ? "the scene is another"
-                : fmt::format("its {} is {}, not {}", key, there.value_or("none"), here.value_or("none"))));
+                : fmt::format("its {} is {}, not {}", key, there.value_or("none"), here.value_or("none")));
     }
 }
 

@@ -52,7 +52,7 @@ struct Object {
 template <class... Values>
 [[noreturn]] void fail_at(std::string_view file, std::uint64_t line, fmt::format_string<Values...> problem,
                           Values&&... values) {
-    throw UserError(fmt::format("{}:{}: {}", file, line, fmt::format(problem, std::forward<Values>(values)...)));
+    throw UserError("{}:{}: {}", file, line, fmt::format(problem, std::forward<Values>(values)...));
 }
 
 /// @param what  names the field in messages  @throws UserError where it is not a finite number

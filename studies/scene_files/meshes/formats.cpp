@@ -44,9 +44,7 @@ std::string as_word(std::string_view name) {
 }
 
 void SurfaceMesh::add_polygon(std::string_view group, std::span<const std::int64_t> corners, std::string_view cell) {
-    const auto fail = [&](std::string_view problem) {
-        throw UserError(fmt::format("{}: {} {}", file_, cell, problem));
-    };
+    const auto fail = [&](std::string_view problem) { throw UserError("{}: {} {}", file_, cell, problem); };
     if (corners.size() < 3)
         fail(fmt::format("is a polygon of {} points (three are the least). Remove it.", corners.size()));
     std::string polygon = "f";
@@ -71,13 +69,12 @@ void SurfaceMesh::remark(std::string_view text) {
 
 std::string SurfaceMesh::as_obj() const {
     if (volume_cells_ == 0 && text_.empty())
-        throw UserError(
-            fmt::format("{}: no polygon (nothing would be computed). Write the mesh with its polygons.", file_));
+        throw UserError("{}: no polygon (nothing would be computed). Write the mesh with its polygons.", file_);
     if (text_.empty())
         throw UserError(
-            fmt::format("{}: volume cells alone, {} of them (only surfaces exchange radiation). Extract the surface, "
-                        "as ParaView's filter Extract Surface does, or save the polygons of the boundary too.",
-                        file_, volume_cells_));
+            "{}: volume cells alone, {} of them (only surfaces exchange radiation). Extract the surface, "
+            "as ParaView's filter Extract Surface does, or save the polygons of the boundary too.",
+            file_, volume_cells_);
     if (volume_cells_ == 0) return notes_ + text_;
     return fmt::format("# {}{} volume cell{} left out (surfaces alone exchange radiation)\n{}{}", note_on_mesh,
                        volume_cells_, volume_cells_ == 1 ? " is" : "s are", notes_, text_);

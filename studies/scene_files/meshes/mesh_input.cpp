@@ -82,7 +82,7 @@ void MeshInput::fail(std::string_view problem) const {
         place += fmt::format(", byte {}", at_);
     }
     if (!section_.empty()) place += fmt::format(": {}", excerpt(section_));
-    throw UserError(fmt::format("{}: {}", place, problem));
+    throw UserError("{}: {}", place, problem);
 }
 
 void MeshInput::skip_blanks() {

@@ -48,9 +48,7 @@ class OffReader {
     std::uint64_t number_ = 0;  ///< number of the line
     std::string missing_ = "its numbers of vertices and polygons";
 
-    [[noreturn]] void fail(std::string_view problem) const {
-        throw UserError(fmt::format("{}:{}: {}", file_, number_, problem));
-    }
+    [[noreturn]] void fail(std::string_view problem) const { throw UserError("{}:{}: {}", file_, number_, problem); }
 
     /// Goes to the next line that has more than a comment.
     bool has_line() {

@@ -70,9 +70,7 @@ class CellPolygons {
     std::string cell_;
     std::string group_;
 
-    [[noreturn]] void fail(std::string_view problem) const {
-        throw UserError(fmt::format("{}: {} {}", file_, cell_, problem));
-    }
+    [[noreturn]] void fail(std::string_view problem) const { throw UserError("{}: {} {}", file_, cell_, problem); }
 
     [[nodiscard]] CellCorners first(std::size_t count, CellCorners points) const {
         if (points.size() < count)
@@ -152,9 +150,9 @@ CellCorners points_of_cell(std::string_view file, const VtkCells& cells, std::si
     const auto end = static_cast<std::size_t>(cells.ends[cell]);
     if (end < begin || end > cells.points.size())
         throw UserError(
-            fmt::format("{}: cell {} ends at point {} of the list of points of cells (it begins at {}, and there are "
-                        "{}). Correct it.",
-                        file, cell, cells.ends[cell], begin, cells.points.size()));
+            "{}: cell {} ends at point {} of the list of points of cells (it begins at {}, and there are "
+            "{}). Correct it.",
+            file, cell, cells.ends[cell], begin, cells.points.size());
     return CellCorners(cells.points).subspan(begin, end - begin);
 }
 

@@ -40,7 +40,7 @@ enum class ByteForm { raw, base64 };
 
 template <class... Values>
 [[noreturn]] void refuse(const std::string& place, fmt::format_string<Values...> problem, Values&&... values) {
-    throw UserError(fmt::format("{}: {}", place, fmt::format(problem, std::forward<Values>(values)...)));
+    throw UserError("{}: {}", place, fmt::format(problem, std::forward<Values>(values)...));
 }
 
 /// Bytes of an array, from front to back.
@@ -190,8 +190,8 @@ class XmlReader {
         if (result) return;
         const auto end =
             text.begin() + std::min<std::ptrdiff_t>(result.offset, static_cast<std::ptrdiff_t>(text.size()));
-        throw UserError(fmt::format("{}:{}: no sound XML ({}). Write it again.", file_,
-                                    1 + std::count(text.begin(), end, '\n'), result.description()));
+        throw UserError("{}:{}: no sound XML ({}). Write it again.", file_, 1 + std::count(text.begin(), end, '\n'),
+                        result.description());
     }
 
     void read_packing(pugi::xml_node root) {

@@ -26,8 +26,7 @@ constexpr double fewest_effective = 30;  // independent trials that correlated o
 
 [[noreturn]] void refuse_estimates(const EstimateSeries& series, const std::string& origin, std::size_t index,
                                    const std::string& problem) {
-    throw UserError(
-        fmt::format("{}:{}:1: the estimates of '{}' {}", origin, series.lines[index], series.quantity, problem));
+    throw UserError("{}:{}:1: the estimates of '{}' {}", origin, series.lines[index], series.quantity, problem);
 }
 
 constexpr std::string_view how_it_happens =

@@ -29,8 +29,8 @@ using RowsByQuantity = std::map<std::string, std::vector<Row>>;
 EstimateHeader read_estimate_header(CsvReader& reader, std::string_view origin) {
     std::vector<CsvField> record;
     if (!reader.next(record))
-        throw UserError(fmt::format("{}:1:1: the file is empty (no estimates). Begin it with the line {}.", origin,
-                                    fmt::join(estimate_columns, ",")));
+        throw UserError("{}:1:1: the file is empty (no estimates). Begin it with the line {}.", origin,
+                        fmt::join(estimate_columns, ","));
     const auto found = find_columns(reader, record, estimate_columns);
     EstimateHeader header{};
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -71,17 +71,17 @@ EstimateSeries make_series(const std::string& quantity, std::vector<Row> rows, s
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (i > 0 && rows[i].trial == rows[i - 1].trial)
             throw UserError(
-                fmt::format("{}:{}:1: trial {} gives '{}' again (line {} has it already; counted twice, it "
-                            "would look like more trials than there were). Remove one.",
-                            origin, rows[i].line, rows[i].trial, quantity, rows[i - 1].line));
+                "{}:{}:1: trial {} gives '{}' again (line {} has it already; counted twice, it "
+                "would look like more trials than there were). Remove one.",
+                origin, rows[i].line, rows[i].trial, quantity, rows[i - 1].line);
         series.values.push_back(rows[i].value);
         series.lines.push_back(rows[i].line);
     }
     if (rows.size() < fewest_estimates)
         throw UserError(
-            fmt::format("{}:{}:1: '{}' has {} row(s) (spread and independence cannot be judged below {} "
-                        "trials). Run more trials; 50 to 200 are usual.",
-                        origin, rows.back().line, quantity, rows.size(), fewest_estimates));
+            "{}:{}:1: '{}' has {} row(s) (spread and independence cannot be judged below {} "
+            "trials). Run more trials; 50 to 200 are usual.",
+            origin, rows.back().line, quantity, rows.size(), fewest_estimates);
     return series;
 }
 
@@ -94,8 +94,7 @@ EstimatesFile parse_estimates(std::string_view text, std::string_view origin) {
     for (auto& [name, rows] : read_rows(reader, header))
         file.series.push_back(make_series(name, std::move(rows), origin));
     if (file.series.empty())
-        throw UserError(
-            fmt::format("{}:1:1: no rows below the header (no estimates). Add one for each trial.", origin));
+        throw UserError("{}:1:1: no rows below the header (no estimates). Add one for each trial.", origin);
     return file;
 }
 

@@ -103,7 +103,7 @@ constexpr std::size_t most_bins = 1000;
 using Places = std::unordered_map<std::string_view, std::size_t>;
 
 [[noreturn]] void refuse_covariance(const Gate& gate, const std::string& problem) {
-    throw UserError(fmt::format("{}: {}: {}", gate.place, gate.covariance.string(), problem));
+    throw UserError("{}: {}: {}", gate.place, gate.covariance.string(), problem);
 }
 
 void expect_header(CsvReader& reader, std::string_view origin) {
@@ -112,8 +112,8 @@ void expect_header(CsvReader& reader, std::string_view origin) {
     if (is_there && std::equal(header.begin(), header.end(), covariance_columns.begin(), covariance_columns.end(),
                                [](const CsvField& field, std::string_view name) { return field.text == name; }))
         return;
-    throw UserError(fmt::format("{}:1:1: not a file of covariances. Begin it with the line {}.", origin,
-                                fmt::join(covariance_columns, ",")));
+    throw UserError("{}:1:1: not a file of covariances. Begin it with the line {}.", origin,
+                    fmt::join(covariance_columns, ","));
 }
 
 double read_number(const CsvReader& reader, const CsvField& field) {

@@ -45,9 +45,9 @@ ReportedHeader read_reported_header(CsvReader& reader, std::string_view origin, 
     std::vector<CsvField> record;
     if (!reader.next(record))
         throw UserError(
-            fmt::format("{}:1:1: the file is empty (nothing would be compared). Begin it with the line "
-                        "quantity,mean,standard_error.",
-                        origin));
+            "{}:1:1: the file is empty (nothing would be compared). Begin it with the line "
+            "quantity,mean,standard_error.",
+            origin);
     ReportedHeader header = find_columns(reader, record, reported_columns);
     const ReportedColumn value = value_columns.at(static_cast<std::size_t>(held(header)));
     std::vector<ReportedColumn> needed{quantity, value};
@@ -199,12 +199,12 @@ void sort_rows(ReportedFile& file) {
             if (before(rows[i - 1], rows[i])) continue;
             const std::string of_bin = file.has_bins ? fmt::format(", bin {}", file.name_of(rows[i])) : "";
             throw UserError(
-                fmt::format("{}:{}:1: '{}'{} stands here again (line {} has it already; counted twice, it "
-                            "would look like more data than there are). {}",
-                            file.origin, rows[i].line, file.quantities[q], of_bin, rows[i - 1].line,
-                            file.has_runs ? "Remove one."
-                                          : "Remove one, or tell runs apart by a column 'run', bins by a "
-                                            "column 'bin'."));
+                "{}:{}:1: '{}'{} stands here again (line {} has it already; counted twice, it "
+                "would look like more data than there are). {}",
+                file.origin, rows[i].line, file.quantities[q], of_bin, rows[i - 1].line,
+                file.has_runs ? "Remove one."
+                              : "Remove one, or tell runs apart by a column 'run', bins by a "
+                                "column 'bin'.");
         }
     }
 }
@@ -251,9 +251,9 @@ ReportedFile parse_reported(std::string_view text, std::string_view origin, Stan
     file.quantities = std::move(quantities.all);
     if (file.quantities.empty())
         throw UserError(
-            fmt::format("{}:1:1: no rows below the header (nothing would be compared). Add one for each "
-                        "quantity.",
-                        origin));
+            "{}:1:1: no rows below the header (nothing would be compared). Add one for each "
+            "quantity.",
+            origin);
     sort_rows(file);
     return file;
 }
@@ -284,9 +284,8 @@ void fail_without(std::string_view wanted, std::string_view what, std::string_vi
                   const std::vector<std::string_view>& names, std::string_view place) {
     constexpr std::size_t most_shown = 10;
     const auto shown = std::span(names).first(std::min(names.size(), most_shown));
-    throw UserError(fmt::format("{}: quantity = \"{}\" ({} has no such {}). {}It has: {}{}.", place, wanted, origin,
-                                what, did_you_mean(wanted, names), fmt::join(shown, ", "),
-                                names.size() > most_shown ? ", ..." : ""));
+    throw UserError("{}: quantity = \"{}\" ({} has no such {}). {}It has: {}{}.", place, wanted, origin, what,
+                    did_you_mean(wanted, names), fmt::join(shown, ", "), names.size() > most_shown ? ", ..." : "");
 }
 
 std::span<const ReportedRow> find_rows(const ReportedFile& file, std::string_view wanted, std::string_view place) {

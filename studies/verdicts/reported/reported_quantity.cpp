@@ -2,8 +2,6 @@
 
 #include "core/support/error.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -44,10 +42,10 @@ void refuse_equal_runs(const Gate& gate, const Bins& bins) {
             if (!runs[run].is_empty()) filled.push_back(runs[run]);
         }
         if (equal && filled.size() >= telling && !may_be_equal(*bins.file, filled))
-            throw UserError(fmt::format(
+            throw UserError(
                 "{}: runs {} and {} of '{}' hold the same numbers in all {} bins (a run repeated "
                 "is not a second run). Give every run a seed of its own.",
-                bins.file->origin, bins.rows[run - 1].run, bins.rows[run].run, gate.quantity, bins.count()));
+                bins.file->origin, bins.rows[run - 1].run, bins.rows[run].run, gate.quantity, bins.count());
     }
 }
 
@@ -56,10 +54,10 @@ void expect_same_bins(const Gate& gate, const Bins& ours, const Bins& theirs) {
         for (std::size_t a = 0, b = 0; a < all.count(); ++a, ++b) {
             if (b < some.count() && all.name(a) == some.name(b)) continue;
             throw UserError(
-                fmt::format("{}:{}:1: '{}', bin '{}' is not matched in {} ({} bins here, {} there; bins are "
-                            "compared by name). Give both files the same binning.",
-                            all.file->origin, all.rows[a * all.runs].line, gate.quantity, all.name(a),
-                            some.file->origin, all.count(), some.count()));
+                "{}:{}:1: '{}', bin '{}' is not matched in {} ({} bins here, {} there; bins are "
+                "compared by name). Give both files the same binning.",
+                all.file->origin, all.rows[a * all.runs].line, gate.quantity, all.name(a), some.file->origin,
+                all.count(), some.count());
         }
     };
     missing_in(ours, theirs);
@@ -71,10 +69,10 @@ void refuse_equal_files(const Gate& gate, const Bins& ours, const Bins& theirs) 
                        std::equal(ours.rows.begin(), ours.rows.end(), theirs.rows.begin(), same_numbers);
     if (!equal) return;
     throw UserError(
-        fmt::format("{}: '{}' has the same numbers as in {} (one file twice, or two runs with the same random "
-                    "numbers: their difference of 0 says nothing). Give the second run a seed of its own; "
-                    "where equal bits are wanted, compare them with cmp.",
-                    ours.file->origin, gate.quantity, theirs.file->origin));
+        "{}: '{}' has the same numbers as in {} (one file twice, or two runs with the same random "
+        "numbers: their difference of 0 says nothing). Give the second run a seed of its own; "
+        "where equal bits are wanted, compare them with cmp.",
+        ours.file->origin, gate.quantity, theirs.file->origin);
 }
 
 }  // namespace
@@ -89,9 +87,9 @@ Bins bins_of(const Gate& gate, const ReportedFile& file) {
                            rows[i].run == rows[i % bins.runs].run;
         if (whole) continue;
         throw UserError(
-            fmt::format("{}:{}:1: '{}', bin '{}', run {} (every bin needs the same runs; the first has {}). "
-                        "Give one row for each bin and run.",
-                        file.origin, rows[i].line, gate.quantity, file.name_of(rows[i]), rows[i].run, bins.runs));
+            "{}:{}:1: '{}', bin '{}', run {} (every bin needs the same runs; the first has {}). "
+            "Give one row for each bin and run.",
+            file.origin, rows[i].line, gate.quantity, file.name_of(rows[i]), rows[i].run, bins.runs);
     }
     refuse_equal_runs(gate, bins);
     return bins;
