@@ -67,11 +67,11 @@ TEST(HtmlReport, OfALargeStudyStaysBelowItsLimit) {
         methods += fmt::format("[[method]]\nname = \"m{}\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n", i);
         methods += "samples_per_patch = [16, 32, 64, 128]\n";
     }
-    const auto store =
-        test::fill(test::plan_of(test::study_text("trials = 5", methods)),
-                   [](std::size_t cell, std::uint64_t trial, int from, int to) {
-                       return 0.125 + static_cast<double>((cell + 3 * trial + 5 * from + 7 * to) % 4) / 16;
-                   });
+    const auto store = test::fill(test::plan_of(test::study_text("trials = 5", methods)),
+                                  [](std::size_t cell, std::uint64_t trial, int from, int to) {
+                                      const auto faces = static_cast<std::size_t>(5 * from + 7 * to);
+                                      return 0.125 + static_cast<double>((cell + 3 * trial + faces) % 4) / 16;
+                                  });
     const std::string text = html_report(studies::evaluate(store), shipped_templates());
     EXPECT_LE(text.size(), 1'500'000u);
     EXPECT_THAT(text, HasSubstr("more methods and sizes are in summary.csv."));
@@ -114,7 +114,7 @@ TEST(Templates, AreTakenFromTheLastFolderFirst) {
     const std::array<std::filesystem::path, 3> folders{FF_TEMPLATES, FF_PICTURES, own.path()};
     const Templates templates = Templates::read(folders);
     EXPECT_EQ(templates.text("report.css"), "own {}");
-    EXPECT_TRUE(templates.has("report.mustache"));
+    EXPECT_NO_THROW((void)templates.text("report.mustache"));
     EXPECT_THROW((void)templates.text("nothing.css"), UserError);
 }
 
