@@ -3,6 +3,7 @@
 #include "reports/text/numbers.hpp"
 #include "reports/words/findings/occlusion_words.hpp"
 #include "reports/words/findings/standing.hpp"
+#include "reports/words/published_words.hpp"
 #include "reports/words/sizes.hpp"
 #include "studies/comparison/ranking.hpp"
 
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -50,28 +50,6 @@ void add_expected(const SizeSeries& series, const studies::ClassSlopes& slopes, 
     }
 }
 
-/// The errors of printed form factors on a class of pairs, for each cell: their root mean square.
-std::map<std::size_t, double> printed_errors(const studies::StudyResults& results, std::size_t scene,
-                                             PairClass pair_class) {
-    std::map<std::size_t, std::pair<double, double>> sums;  // of squares and of figures
-    if (!results.published) return {};
-    for (const studies::TableComparison& table : results.published->comparisons) {
-        for (const studies::FigureComparison& figure : table.figures) {
-            if (!figure.cell || results.findings.plan.cells[*figure.cell].scene != scene) continue;
-            if (figure.quantity.kind != studies::QuantityKind::form_factor) continue;
-            const studies::Summary& summary = results.findings.cells[*figure.cell].summary(figure.quantity);
-            if (summary.pair_class != pair_class || !summary.reference) continue;
-            const double error = figure.printed - *summary.reference;
-            auto& [squares, count] = sums[*figure.cell];
-            squares += error * error;
-            ++count;
-        }
-    }
-    std::map<std::size_t, double> errors;
-    for (const auto& [cell, sum] : sums) errors[cell] = std::sqrt(sum.first / sum.second);
-    return errors;
-}
-
 std::vector<std::size_t> cells_of(const studies::StudyPlan& plan, const std::vector<SizeSeries>& all,
                                   bool deterministic) {
     std::vector<std::size_t> cells;
@@ -99,7 +77,6 @@ std::string smallest_errors_in_words(const studies::Analysis& findings, const st
 Picture convergence_picture(const studies::StudyResults& results, std::size_t scene, PairClass pair_class,
                             const std::vector<SizeSeries>& all, const std::vector<MethodStyle>& styles) {
     const studies::Analysis& findings = results.findings;
-    const auto printed = printed_errors(results, scene, pair_class);
     bool is_printed = false;
     PictureValues values({"method", "role", "size", "evaluations", "error", "low", "high"});
     MethodLines lines(styles, HeightAxis::logarithmic);
@@ -112,11 +89,12 @@ Picture convergence_picture(const studies::StudyResults& results, std::size_t sc
                         point.found->evaluations_per_face, drawn(point.error), drawn_low(interval),
                         drawn_high(interval)});
             lines.add(point.error, interval);
-            const auto of_publication = printed.find(point.found->cell);
-            if (of_publication == printed.end() || of_publication->second < studies::rounding_error) continue;
+            if (!results.published) continue;
+            const double printed = printed_errors(results, point.found->cell, pair_class).printed_rms;
+            if (printed < studies::rounding_error) continue;
             values.add({series.method, "printed", size_label(findings.plan, findings.plan.cells[point.found->cell]),
-                        point.found->evaluations_per_face, drawn(of_publication->second), nullptr, nullptr});
-            lines.make_room(of_publication->second);
+                        point.found->evaluations_per_face, drawn(printed), nullptr, nullptr});
+            lines.make_room(printed);
             is_printed = true;
         }
         for (const studies::ClassSlopes* slopes : series.ladders) add_expected(series, *slopes, values);
