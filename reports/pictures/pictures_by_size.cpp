@@ -22,10 +22,11 @@ std::string where(const studies::StudyPlan& plan, std::size_t scene, PairClass p
     return fmt::format("{} pairs{}", name(pair_class), of_scene(plan, scene));
 }
 
-/// The two ends of a line with the slope that theory allows, through the middle of the points of a ladder.
-void add_expected(const SizeSeries& series, const studies::ClassSlopes& slopes, PictureValues& values) {
+/// The two ends of a line with the slope that theory allows, through the middle of the points of a ladder, if there are
+/// two. @return whether there are
+bool add_expected(const SizeSeries& series, const studies::ClassSlopes& slopes, PictureValues& values) {
     const studies::Slope& slope = slopes.judged();
-    if (!slope.slope || !slope.expected) return;
+    if (!slope.slope || !slope.expected) return false;
     std::vector<const SizePoint*> points;
     for (const SizePoint& point : series.points) {
         const bool on_ladder = std::any_of(slopes.sizes.begin(), slopes.sizes.end(), [&](const auto& size) {
@@ -33,7 +34,7 @@ void add_expected(const SizeSeries& series, const studies::ClassSlopes& slopes, 
         });
         if (on_ladder) points.push_back(&point);
     }
-    if (points.size() < 2) return;
+    if (points.size() < 2) return false;
     const auto log_size = [](const SizePoint& point) {
         return std::log(static_cast<double>(point.found->evaluations_per_face));
     };
@@ -48,6 +49,7 @@ void add_expected(const SizeSeries& series, const studies::ClassSlopes& slopes, 
         values.add(
             {series.method, "expected", "", end->found->evaluations_per_face, drawn(error, 4), nullptr, nullptr});
     }
+    return true;
 }
 
 std::vector<std::size_t> cells_of(const studies::StudyPlan& plan, const std::vector<SizeSeries>& all,
@@ -74,9 +76,12 @@ std::string smallest_errors_in_words(const studies::Analysis& findings, const st
     return text;
 }
 
+/// @param finding  what is said before the key of lines and marks
 Picture convergence_picture(const studies::StudyResults& results, std::size_t scene, PairClass pair_class,
-                            const std::vector<SizeSeries>& all, const std::vector<MethodStyle>& styles) {
+                            const std::vector<SizeSeries>& all, const std::vector<MethodStyle>& styles,
+                            const std::string& finding = {}) {
     const studies::Analysis& findings = results.findings;
+    bool is_expected = false;
     bool is_printed = false;
     PictureValues values({"method", "role", "size", "evaluations", "error", "low", "high"});
     MethodLines lines(styles, HeightAxis::logarithmic);
@@ -97,21 +102,20 @@ Picture convergence_picture(const studies::StudyResults& results, std::size_t sc
             lines.make_room(printed);
             is_printed = true;
         }
-        for (const studies::ClassSlopes* slopes : series.ladders) add_expected(series, *slopes, values);
+        for (const studies::ClassSlopes* slopes : series.ladders) is_expected |= add_expected(series, *slopes, values);
     }
     lines.set(values);
     const std::string place = where(findings.plan, scene, pair_class);
     const double percents = 100 * findings.plan.spec.level;
-    Picture picture = picture_of(
+    return picture_of(
         values, "convergence", fmt::format("convergence-{}", place),
-        fmt::format("Error against evaluations, {}.", place), smallest_errors_in_words(findings, all, pair_class),
+        fmt::format("Error against evaluations, {}.", place),
+        fmt::format("{}Bands and bars: {:g} % intervals{}{}.", finding, percents,
+                    is_expected ? "; dashed: the slope that theory expects" : "",
+                    is_printed ? "; hollow: the printed figures, one run" : ""),
         fmt::format("RMSE of a run on {} against evaluations per face, both logarithmic, with {:g} % intervals, a line "
-                    "for each method; where the variance is infinite, the median of the absolute error. Thin dashed "
-                    "lines have the slope that theory expects.",
+                    "for each method; where the variance is infinite, the median of the absolute error.",
                     place, percents));
-    picture.finding += fmt::format("Bands and bars: {:g} % intervals; dashed: the slope that theory expects{}.",
-                                   percents, is_printed ? "; hollow: the printed figures, one run" : "");
-    return picture;
 }
 
 std::optional<Picture> efficiency_picture(const studies::Analysis& findings, std::size_t scene, PairClass pair_class,
@@ -187,7 +191,8 @@ std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std
         std::erase_if(all, [&](const SizeSeries& series) { return !methods.has(series.method); });
         if (all.empty() || (all.size() == 1 && all.front().points.size() == 1))
             continue;  // one point does not make a picture
-        pictures.push_back(convergence_picture(results, scene, pair_class, all, styles));
+        pictures.push_back(convergence_picture(results, scene, pair_class, all, styles,
+                                               smallest_errors_in_words(findings, all, pair_class)));
         if (auto efficiency = efficiency_picture(findings, scene, pair_class, all, styles))
             pictures.push_back(std::move(*efficiency));
     }

@@ -41,9 +41,11 @@ TEST(HtmlReport, LoadsNoExternalResources) {
 }
 
 TEST(HtmlReport, HasNoNanOrInfinity) {
+    const std::string& runtime = shipped_templates().text("vega.js");
     for (const auto* results : {&test::small_results(), &test::published_results()}) {
-        EXPECT_FALSE(
-            std::regex_search(html_report(*results, shipped_templates()), std::regex(">[^<]*\\b(nan|inf)\\b")));
+        std::string text = html_report(*results, shipped_templates());
+        text.erase(text.find(runtime), runtime.size());
+        EXPECT_FALSE(std::regex_search(text, std::regex(">[^<]*\\b(nan|inf)\\b")));
     }
 }
 
@@ -61,7 +63,7 @@ TEST(HtmlReport, NamesTheProgramAndNothingElseThatDiffersBetweenRuns) {
 }
 
 /// What is measured of all built-in studies by scripts/docs.
-TEST(HtmlReport, OfALargeStudyStaysBelowItsLimit) {
+TEST(HtmlReport, StaysBelowItsLimitForALargeStudy) {
     std::string methods;
     for (int i = 0; i < 50; ++i) {
         methods += fmt::format("[[method]]\nname = \"m{}\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n", i);

@@ -82,6 +82,24 @@ TEST(ConvergencePicture, NamesEachLineAtItsEnd) {
     EXPECT_THAT(names, testing::IsSupersetOf({"rays", "kernel"}));
 }
 
+TEST(LeadPicture, ShowsErrorsPrintedInAPublicationBesideThoseOfItsMethods) {
+    const auto picture = lead_picture(test::published_results());
+    ASSERT_TRUE(picture);
+    EXPECT_EQ(picture->id, "answer");
+    EXPECT_EQ(picture->name, "adjacent pairs");
+    EXPECT_THAT(picture->finding, HasSubstr("hollow: the printed figures"));
+    const json values = json::parse(picture->values);
+    constexpr double exact = 0.2000437761;
+    const auto pdm = points(values, "PDM", "printed");
+    const auto sr = points(values, "SR", "printed");
+    ASSERT_EQ(pdm.size(), 1u);
+    ASSERT_EQ(sr.size(), 1u);
+    EXPECT_NEAR(pdm[0].second, 0.3 - exact, 1e-6);
+    EXPECT_NEAR(sr[0].second, 0.9 - exact, 1e-6);
+    EXPECT_EQ(points(values, "PDM", "RMSE").size(), 2u);
+    EXPECT_THAT(answer_ranking(test::published_results())->values, HasSubstr("adjacent pairs|SR"));
+}
+
 TEST(UnfoldedPicture, IsDrawnForQuadratures) {
     const auto& results = test::published_results();  // SR with 4 patches per face, PDM with 4 and 9
     const auto four = unfolded_picture(results, 1);
