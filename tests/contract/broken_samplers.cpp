@@ -70,7 +70,7 @@ TEST(IntegratesWithoutBias, CatchesMissingLargeCoordinates) {
     EXPECT_FALSE(integrates_without_bias(entry<ShrunkCoordinate>()));
 }
 
-TEST(SuccessivePointsAreFree, CatchesSobolPointsThatClaimIt) {
+TEST(SuccessivePointsAreFree, CatchesSobolPointsDeclaredFree) {
     EXPECT_FALSE(successive_points_are_free(entry<FalselyIndependent>()));
 }
 

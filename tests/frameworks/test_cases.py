@@ -11,7 +11,7 @@ with open(pathlib.Path(__file__).parent.parent / "data/gate_cases.csv") as table
 
 
 @pytest.mark.parametrize("case", CASES, ids=[case["name"] for case in CASES])
-def test_is_judged_like_everywhere(case):
+def test_is_judged_as_in_every_language(case):
     options = {key: float(case[key]) for key in ("band", "alpha", "pass_alpha", "reference_error")}
     found = judge_mean([float(value) for value in case["trials"].split()], float(case["reference"]), **options)
     assert found.verdict == case["verdict"]

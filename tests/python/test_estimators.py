@@ -66,7 +66,7 @@ def test_an_estimator_may_say_what_it_claims_of_its_errors(program):
     assert all(",estimator," in row and row.endswith(",not_refuted") for row in rows[1:]) and len(rows) > 1
 
 
-def test_curved_scenes_are_told_in_words():
+def test_curved_scenes_come_as_toml_without_polygons():
     seen = []
 
     def look(scene, samples, seed, trial):
@@ -89,6 +89,6 @@ def test_curved_scenes_are_told_in_words():
     (5, "not a function"),
     ((kernel_sums, {"d": 2}), "its options are samples and randomised"),
 ])
-def test_what_a_function_does_wrong_is_named(estimate, message):
+def test_faults_of_a_function_are_named(estimate, message):
     with pytest.raises(ffstudy.InputError, match=message):
         ffstudy.Study.from_toml(text()).run(estimators={"mine": estimate}, threads=1)

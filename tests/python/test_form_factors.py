@@ -78,7 +78,7 @@ def test_bad_input_is_named(arguments, message):
         ffstudy.form_factors(**arguments)
 
 
-def test_files_that_are_not_there_are_named():
+def test_missing_files_are_named():
     with pytest.raises(ffstudy.FileError, match="missing.obj"):
         ffstudy.form_factors("missing.obj")
     with pytest.raises(OSError):

@@ -78,7 +78,7 @@ def test_functions_can_be_of_fewer_coordinates_and_fixed():
     (numpy.sin, "not a function written in Python"),
     ((shifted, {"dimension": 2}), "its options are d and randomised"),
 ])
-def test_what_a_function_does_wrong_is_named(fill, message):
+def test_faults_of_a_function_are_named(fill, message):
     with pytest.raises(ffstudy.InputError, match=message):
         ffstudy.Study.from_toml(study_text("mine")).run(samplers={"mine": fill}, threads=1)
 

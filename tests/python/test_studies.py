@@ -125,7 +125,7 @@ def test_ctrl_c_saves_and_the_study_resumes():
     assert same(resumed.summary, study.run().summary)
 
 
-def test_errors_of_progress_are_told():
+def test_errors_of_progress_are_reported():
     with pytest.raises(ffstudy.InputError, match="progress: raised ZeroDivisionError"):
         ffstudy.Study.from_toml(study_text()).run(progress=lambda done, units: 1 / 0)
 
@@ -136,7 +136,7 @@ def test_ctrl_c_stops_form_factors():
         ffstudy.form_factors("discs_blocked", tolerance=1e-6, level=0.999999, max_samples=10**13, threads=1)
 
 
-def test_trials_and_seed_can_be_others():
+def test_trials_and_seed_can_be_changed():
     study = ffstudy.Study.from_toml(study_text(sizes="16"))
     other = study.run(trials=30, seed=2)
     assert set(other.summary["trials"]) == {30}

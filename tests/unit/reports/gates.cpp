@@ -119,7 +119,7 @@ TEST(Junit, FindsResultsByNameWhateverTheirOrder) {
     EXPECT_TRUE(first.next_sibling().child("failure"));
 }
 
-TEST(GatesMarkdown, ShowsWhatFailedFirstAndEscapesNames) {
+TEST(GatesMarkdown, ShowsFailedGatesFirstAndEscapesNames) {
     const std::string text = gates_markdown(two_of_three());
     EXPECT_THAT(text, HasSubstr("### Gates of push: 1 passed, 1 failed, 0 inconclusive, 1 not run"));
     EXPECT_LT(text.find("| **fail** | wrong | closure |"), text.find("| pass | "));

@@ -104,7 +104,7 @@ RC_GTEST_PROP(ExchangeAreaThroughAperture, IsTheSumOverPartsOfTheHole, ()) {
               4e-17L);
 }
 
-TEST(ExchangeAreaThroughAperture, RefusesAPlateThatIsNotBetween) {
+TEST(ExchangeAreaThroughAperture, RefusesAPlateOutsideTheGap) {
     EXPECT_THROW(exchange_area_through_aperture(unit, unit, unit, unit, 1, {middle_half, middle_half, 1}), UserError);
     EXPECT_THROW(exchange_area_through_aperture(unit, unit, unit, unit, 1, {middle_half, middle_half, 0}), UserError);
     EXPECT_THROW(exchange_area_through_aperture(unit, unit, unit, unit, 0, {middle_half, middle_half, 0.5}), UserError);

@@ -90,7 +90,7 @@ double of_family(std::string_view scene, int from = 0, int to = 1) {
 /// Rounding of some thousand terms, none above 1.
 constexpr double rounding_of_sum = 4e-14;
 
-TEST(SceneFamilies, AgreeWithWhatPointsSeeThroughAHole) {
+TEST(SceneFamilies, AgreeWithPointsThatSeeThroughAHole) {
     for (const double edge : {0.1, 0.25, 0.5, 0.8, 1.0}) {
         const AxisInterval hole{0.5L - edge / 2, 0.5L + edge / 2};
         const double exchange = through(unit, unit, unit, unit, 1, hole, hole, 0.5);

@@ -43,7 +43,7 @@ Real element_aside_to_disc(Real radius, Real distance, Real aside) {
 }
 
 // By the kernel over the heights of both and the angle between them; only the difference of two points' heights counts.
-TEST(CoaxialCylinders, MatchTheIntegralOverWhatTheInnerOneHides) {
+TEST(CoaxialCylinders, MatchTheIntegralOverTheHiddenPart) {
     for (const auto& [inner, outer, height] : {std::array<Real, 3>{1, 2, 2}, {1, 1.5, 4}, {2, 3, 1}}) {
         const auto over_heights = [&, height = height](const auto& of_angle, Real low, Real high) {
             return integral(
@@ -92,7 +92,7 @@ TEST(CoaxialDiscs, KeepTheirDigitsFarApartAndCloseTogether) {
     EXPECT_PRED3(test::near, coaxial_discs_factor(3, 1, 2) * 9, coaxial_discs_factor(1, 3, 2), extended_rounding);
 }
 
-TEST(BlockedDiscs, MatchTheIntegralOverWhatIsSeenPastTheBlocker) {
+TEST(BlockedDiscs, MatchTheIntegralOverTheVisiblePart) {
     // The part of the view that the blocker covers is seen as a disc of its own, inside the second disc.
     const auto seen = [](Real a) {
         return a * (element_aside_to_disc(1, 1, a) - element_aside_to_disc(0.25L, 0.5L, a));

@@ -64,7 +64,7 @@ TEST(Hemicube, SuggestsTheNearestValidSizes) {
 
 // Four times a rectangle over a corner, five times as wide as high [howell, B-3]: 0.9683. The midpoint rule falls as
 // 1 / r^2 towards it.
-TEST(SinglePlane, HasPixelsThatAddUpToWhatIsAboveItsRim) {
+TEST(SinglePlane, HasPixelsThatAddUpToTheShareAboveItsRim) {
     const double x = SinglePlane::reach;
     const double part = x / std::sqrt(1 + x * x);
     const double whole = 4 * (2 * part * std::atan(part)) / (2 * std::numbers::pi);

@@ -105,7 +105,7 @@ TEST(BuiltInScene, DistinguishesNeighbouringNumbers) {
     EXPECT_NE(make_box(1, 1, std::nextafter(0.1, 1)).canonical, make_box(1, 1, 0.1).canonical);
 }
 
-TEST(BuiltInScene, RefusesBoxesThatAreNotThreeNumbers) {
+TEST(BuiltInScene, RefusesBoxesUnlessOfThreeNumbers) {
     for (const char* name : {"box:", "box:1", "box:1x2", "box:1x2x", "box:1x2x3x4", "box:1x2x3 ", "box:axbxc",
                              "box: 1x2x3", "box:1,2,3", "box:1xx2x3"}) {
         EXPECT_THAT(scene_message(name), AllOf(HasSubstr(name), HasSubstr("box:AxBxC"), HasSubstr("Try"))) << name;

@@ -111,7 +111,7 @@ TEST(JoinedSurfaces, StaySeparateAcrossFacesAndSides) {
     EXPECT_EQ(join_level_surfaces(scene).scene.surfaces.size(), 3u);
 }
 
-TEST(JoinedSurfaces, ExcludeOverlappingOnes) {
+TEST(JoinedSurfaces, ExcludeOverlappingSurfaces) {
     Scene scene;
     scene.faces = {"a"};
     for (const double length : {1.0, 2.0}) {

@@ -27,7 +27,7 @@ Crossing crossing(Shaft shaft, const ConvexPolygon& polygon) {
 const ConvexPolygon floor_square = rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
 const ConvexPolygon ceiling_square = rectangle({0, 0, 1}, {1, 0, 0}, {0, 1, 0});
 
-TEST(Shaft, ExcludesWhatIsBesideIt) {
+TEST(Shaft, ExcludesPolygonsBesideIt) {
     Shaft shaft(floor_square, ceiling_square);
     EXPECT_EQ(crossing(shaft, rectangle({1.1, 0, 0.5}, {1, 0, 0}, {0, 1, 0})), Crossing::none);
     EXPECT_EQ(crossing(shaft, rectangle({1, 0, 0.2}, {1, 0, 0}, {0, 1, 0})), Crossing::none) << "it touches";

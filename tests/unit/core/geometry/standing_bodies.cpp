@@ -68,7 +68,7 @@ TEST(StandingBodies, CoverTheFloorBeneathThem) {
     }
 }
 
-TEST(StandingBodies, CoverWhatIsBeneathAnyOfTheirParts) {
+TEST(StandingBodies, CoverTheFloorBeneathAnyOfTheirParts) {
     // An L of three unit squares, which has no bottom and is not convex.
     const std::vector<Vector3d> rim{{0.5, 0.5, 0}, {1.5, 0.5, 0}, {2.5, 0.5, 0}, {2.5, 1.5, 0},
                                     {1.5, 1.5, 0}, {1.5, 2.5, 0}, {0.5, 2.5, 0}, {0.5, 1.5, 0}};

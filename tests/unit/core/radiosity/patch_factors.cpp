@@ -26,7 +26,7 @@ Eigen::MatrixXd shot(const Scene& scene, std::uint64_t rays, Allocation allocati
                                test::PhiloxPoints(rays), rays, allocation, patch_factor_key, 5);
 }
 
-TEST(ExactPatchFactors, AddUpToThoseOfFaces) {
+TEST(ExactPatchFactors, AddUpToPatchToFaceFactors) {
     for (const char* name : {"cube", "box:2x1x0.5"}) {
         const Scene scene = built_in_scene(name);
         const Eigen::MatrixXd factors = exact_patch_factors(scene, three_by_three).value();
@@ -128,7 +128,7 @@ Eigen::MatrixXd to_faces(const Eigen::MatrixXd& factors, const Scene& scene, Sub
     return sums;
 }
 
-TEST(PatchFactorsOfGrids, AddUpToThoseOfFaces) {
+TEST(PatchFactorsOfGrids, AddUpToFaceFactors) {
     for (const Scene& room : gridded()) {
         const Eigen::MatrixXd factors = exact_patch_factors(room, {2}).value();
         EXPECT_LT((to_faces(factors, room, {2}) - exact_patch_to_face(room, {2}).value()).cwiseAbs().maxCoeff(), 1e-12);

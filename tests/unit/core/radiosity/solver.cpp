@@ -86,7 +86,7 @@ TEST(EverySolver, StopsAtTheLastIterationAllowed) {
     EXPECT_EQ(run.iterations(), 100u);
 }
 
-TEST(ConjugateGradient, IsMisledByFactorsThatAreNotReciprocal) {
+TEST(ConjugateGradient, IsMisledByNonReciprocalFactors) {
     RadiositySystem system = test::lit_cube(0.9);
     system.factors = test::shot_factors(100, 1);
     const SolverRun run = solve(system, Solver::conjugate_gradient, {.tolerance = 1e-10});

@@ -84,7 +84,7 @@ RayBatch rays_to_rims(const Scene& scene, std::uint32_t source, std::uint32_t nu
 // Traced only once, 5 to 12 % of them are lost where shapes of different kinds meet; of 10 million rays at random,
 // none.
 // The tip of a cone is left out: of 170 000 rays aimed at it, 1 passed it by.
-TEST_P(ClosedScene, LosesNoRayThatIsAimedAtARim) {
+TEST_P(ClosedScene, LosesNoRayAimedAtARim) {
     const Scene scene = GetParam().make();
     const auto tracer = make_embree_tracer(scene);
     std::vector<Hit> hits(block_capacity);
@@ -102,7 +102,7 @@ TEST_P(ClosedScene, LosesNoRayThatIsAimedAtARim) {
 }
 
 // These are the rays that the second attempt is for.
-TEST(OpenScene, LosesRaysThatAreAimedAtARim) {
+TEST(OpenScene, LosesRaysAimedAtARim) {
     Scene scene = test::closed_can();
     scene.closed = false;
     std::vector<Hit> hits(block_capacity);

@@ -43,7 +43,7 @@ TEST(Contact, IsAPointWhereACornerMeetsAnythingElse) {
     EXPECT_EQ(find_touch(floor_patch, {{0.5, 0.5, 0}, {1, 0, 1}, {-1, 0, 1}}).contact, Contact::point) << "inside";
 }
 
-TEST(Contact, IsNoneAcrossAGap) {
+TEST(Contact, IsAbsentAcrossAGap) {
     EXPECT_EQ(find_touch(floor_patch, wall_patch(0, 1e-9)).contact, Contact::none);
     EXPECT_EQ(find_touch(floor_patch, wall_patch(1 + 1e-9, 0)).contact, Contact::none);
     EXPECT_EQ(find_touch(floor_patch, wall_patch(0, 5)).contact, Contact::none);

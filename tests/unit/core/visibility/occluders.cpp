@@ -212,7 +212,7 @@ TEST(Occluders, HideAllThatTheSurfacesHide) {
 }
 
 // A lamp flush under the lid of a closed box lights the bottom of the box, not the floor below it.
-TEST(Occluders, HideWhatLiesInThePlaneOfASideOfABody) {
+TEST(Occluders, HideSurfacesInThePlaneOfASideOfABody) {
     Scene scene;
     add_tiles(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1);
     add_tiles(scene, {.4, .4, .7}, {0, .2, 0}, {.2, 0, 0}, 1);
@@ -228,7 +228,7 @@ TEST(Occluders, HideWhatLiesInThePlaneOfASideOfABody) {
 }
 
 // A cave with a body in it: only what the body turns to a wall hides anything from it.
-TEST(Occluders, InAMeshFaceOneEnd) {
+TEST(Occluders, FaceOneEndInAMesh) {
     std::mt19937 engine(3);
     Scene scene;
     add_tiles(scene, {-2, -2, -3}, {4, 0, 0}, {0, 4, 0}, 1);
@@ -241,11 +241,11 @@ TEST(Occluders, InAMeshFaceOneEnd) {
     for (const Blocker& blocker : between) EXPECT_EQ(blocker.faces, FacedEnd::from);
 }
 
-TEST(Occluders, CheckNoticesAMissingOne) {
+TEST(Occluders, CheckNoticesAMissingOccluder) {
     EXPECT_GT(look_at_scenes(true).differences, 1000u);
 }
 
-TEST(Occluders, RarelyExceedThoseOfTheCautiousTest) {
+TEST(Occluders, RarelyExceedOccludersOfTheCautiousTest) {
     std::mt19937 engine(21);
     std::size_t fewer = 0;
     std::size_t more = 0;  // a wall that reaches into the lines where none of its tiles does

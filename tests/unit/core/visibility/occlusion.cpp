@@ -58,7 +58,7 @@ TEST(PossibleBlockers, AreEmptyInAConvexScene) {
     EXPECT_TRUE(may_be_occluded(test::closed_can())) << "a wall around both is not known to keep clear";
 }
 
-TEST(PossibleBlockers, LeaveOutWhatIsBehindOrBeside) {
+TEST(PossibleBlockers, LeaveOutSurfacesBehindOrBeside) {
     Scene scene = test::faces_of({square({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), square({0, 0, 1}, {0, 1, 0}, {1, 0, 0}),
                                   square({0, 0, -1}, {1, 0, 0}, {0, 1, 0}), square({2, 0, 0.5}, {1, 0, 0}, {0, 1, 0})},
                                  false);

@@ -87,7 +87,7 @@ TEST(VisiblePolygon, IgnoresObstaclesBehindItOrBelowTheHorizon) {
 }
 
 // Seen at a grazing angle, the sides of a small polygon differ by little more than rounding.
-TEST(VisiblePolygon, HidesNoMoreThanWhatStandsInTheWay) {
+TEST(VisiblePolygon, HidesNoMoreThanTheBlockerCovers) {
     std::mt19937_64 engine(1);
     const auto draw = [&](double low, double high) { return std::uniform_real_distribution(low, high)(engine); };
     for (int trial = 0; trial < 20000; ++trial) {
@@ -107,7 +107,7 @@ TEST(VisiblePolygon, HidesNoMoreThanWhatStandsInTheWay) {
 // Against points on the target that core/visibility/occlusion finds visible: 40 random scenes of 4 triangles, 20000
 // points each. The standard error is the sample's; |z| stays below 5 in all 40 with probability 1 - 2e-5. The hidden
 // part has to be considerable in most scenes.
-TEST(VisiblePolygon, AgreesWithPointsThatAreSeen) {
+TEST(VisiblePolygon, AgreesWithVisiblePoints) {
     std::mt19937_64 engine(11);
     std::uniform_real_distribution<double> uniform(0, 1);
     const auto point = [&](double low, double high) {
@@ -201,7 +201,7 @@ TEST(VisiblePolygon, AgreesWithThePlainWayFromManyPlacesAtOnce) {
 // A part of a mesh around the triangle that sees the target. Cut off at its horizon where they touch, up to rounding,
 // one of them left an edge of arbitrary direction, which removed the whole shadow. The second hides nothing that the
 // others do not.
-TEST(VisiblePolygon, IsHiddenByWhatTouchesTheSource) {
+TEST(VisiblePolygon, IsHiddenByABodyThatTouchesTheSource) {
     const std::array<Vector3d, 8> corners{
         Vector3d(6604.71, 2614.7, 7850.55), {6813.03491651957, 3364.06511714788, 7635.84708951172},
         {7362.64, 3037.5, 7804.18},         {7133.23794291841, 3408.90402398715, 8134.99591546031},

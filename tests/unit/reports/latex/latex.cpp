@@ -41,7 +41,7 @@ Table small_table() {
     return {"t", "Title", "", {{"", false, ""}, {"a", true, ""}}, {{{"x"}, {"1"}}}, {}};
 }
 
-TEST(EscapeLatex, EscapesWhatLatexWouldReadAsCommands) {
+TEST(EscapeLatex, EscapesCharactersOfCommands) {
     EXPECT_EQ(escape_latex("a&b%c_d$e#f"), "a\\&b\\%c\\_d\\$e\\#f");
     EXPECT_EQ(escape_latex("\\~^{}"), "\\textbackslash{}\\~{}\\^{}\\{\\}");
     EXPECT_EQ(escape_latex("[2] *"), "{[}2] {*}");

@@ -18,7 +18,7 @@ TEST(MarkdownText, LeavesOrdinaryNamesAndNumbersAlone) {
         EXPECT_EQ(markdown_text(text), text);
 }
 
-TEST(MarkdownText, EscapesWhatWouldBeMarkup) {
+TEST(MarkdownText, EscapesCharactersOfMarkup) {
     EXPECT_EQ(markdown_text("<b>x</b>"), "\\<b>x\\</b>");
     EXPECT_EQ(markdown_text("<!-- x"), "\\<!-- x");
     EXPECT_EQ(markdown_text("[a](javascript:b)"), "[a\\](javascript:b)");

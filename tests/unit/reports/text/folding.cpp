@@ -14,12 +14,12 @@ TEST(Folded, BreaksLinesBetweenWords) {
               "short\n\n  and indented,\n  though not by much");
 }
 
-TEST(Folded, IndentsWhatContinuesADescription) {
+TEST(Folded, IndentsContinuationLinesOfADescription) {
     EXPECT_EQ(folded("sobol   points of a net, scrambled", 20), "sobol   points of a\n        net,\n        scrambled");
     EXPECT_EQ(folded("a name that takes most of it  text", 30), "a name that takes most of it\n    text");
 }
 
-TEST(Folded, CountsWhatIsVisible) {
+TEST(Folded, CountsVisibleCharactersOnly) {
     EXPECT_EQ(folded("\033[32mnone\033[0m Šidák", 10), "\033[32mnone\033[0m Šidák");
     EXPECT_EQ(visible_length("\033[32mnone\033[0m Šidák"), 10u);
 }

@@ -36,7 +36,7 @@ TEST(TextTable, WrapsAtTheWidthOfTheTerminal) {
               "random       0.1\n");
 }
 
-TEST(TextTable, RepeatsTheTitleOfAGroupThatIsDivided) {
+TEST(TextTable, RepeatsTheTitleOfADividedGroup) {
     EXPECT_EQ(text_table(errors(), {Colour::none, 20}),
               "            RMSE\n"
               "        RMSE\n"
@@ -56,7 +56,7 @@ TEST(TextTable, StaysWithinAnyWidthThatHoldsItsCells) {
     }
 }
 
-TEST(TextTable, BreaksACellThatIsWiderThanTheTerminal) {
+TEST(TextTable, BreaksACellWiderThanTheTerminal) {
     Table table;
     table.columns = {{"method", false, ""}, {"verdict", false, ""}};
     table.rows = {{{"sobol"}, {"different: the errors of the two runs differ by a factor of 2"}}};

@@ -36,7 +36,7 @@ Ranking ranking(PairClass pair_class, std::vector<std::string> leaders) {
             .leaders = std::move(leaders)};
 }
 
-TEST(Advice, NamesTheMethodsThatAreAmongTheBestOnAllPairs) {
+TEST(Advice, NamesMethodsAmongTheBestOnAllPairs) {
     const std::vector<Ranking> rankings{ranking(PairClass::parallel, {"a", "b"}),
                                         ranking(PairClass::adjacent, {"b", "a", "c"})};
     EXPECT_THAT(advice(plan(), rankings, errs_less),
@@ -72,7 +72,7 @@ TEST(Advice, NamesNoMethodWhereNothingIsShown) {
                     "random points)"));
 }
 
-TEST(Advice, TakesNobodyForItsSlope) {
+TEST(Advice, RecommendsNoMethodForItsSlope) {
     EXPECT_THAT(advice(plan(), {ranking(PairClass::parallel, {"a", "b"})}, converges_faster),
                 ElementsAre("on parallel pairs nothing is shown to converge faster than a or b (slopes 1 to 4)"));
 }
@@ -111,7 +111,7 @@ studies::Coverage row(studies::IntervalRule rule, std::uint64_t replicates, std:
     return row;
 }
 
-TEST(CoverageAdvice, TakesTheRuleThatIsNowhereShortWithTheFewestReplicates) {
+TEST(CoverageAdvice, RecommendsTheRuleNowhereShortWithTheFewestReplicates) {
     using studies::IntervalRule;
     studies::StudyResults results = test::published_results();
     results.findings.plan.spec.coverage = {5, 10};

@@ -49,7 +49,7 @@ TEST(Listed, NamesAFewAndCountsTheRest) {
     EXPECT_EQ(listed({"a", "b", "c", "d", "e"}), "a, b, c and 2 more");
 }
 
-TEST(Answer, TakesWhatIsAmongTheBestOnAllPairsOfAllScenes) {
+TEST(Answer, RecommendsMethodsAmongTheBestOnAllPairsOfAllScenes) {
     const Answer said = answer(test::small_results());
     EXPECT_EQ(said.finding.subject, Subject::errors);
     EXPECT_EQ(said.question, "Which method has the smallest error?");

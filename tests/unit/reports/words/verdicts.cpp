@@ -73,7 +73,7 @@ TEST(BiasInWords, SaysThatTrialsAreTooFew) {
     EXPECT_EQ(bias_mark(found), Mark::open);
 }
 
-TEST(EquivalenceInWords, StatesTheMarginAndWhatIsShown) {
+TEST(EquivalenceInWords, StatesTheMarginAndTheVerdict) {
     auto found = sampled(BiasFinding::no_bias_found);
     const auto words = [&](EquivalenceFinding finding) {
         found.equivalence = finding;

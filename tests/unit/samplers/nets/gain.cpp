@@ -194,7 +194,7 @@ void fill_diagonal(const Stream& stream, PointBlock& block) {
     }
 }
 
-TEST(Gain, ExceedsTheBoundForPointsThatAreNotANet) {
+TEST(Gain, ExceedsTheBoundForPointsOnADiagonal) {
     const Rough digits = rough_functions<2>().front();
     const Gain gain = measure(fill_diagonal, digits, 256);
     EXPECT_GT(gain.ratio - 5 * gain.standard_error, bound(2, 3));

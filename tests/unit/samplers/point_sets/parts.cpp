@@ -51,7 +51,7 @@ TEST(Parts, BeginWithTheirLowerBoundary) {
     EXPECT_EQ(part_of(~0u, 3), 2u);
 }
 
-TEST(Parts, OfExactNetsOfAnyBaseHoldOnePointEach) {
+TEST(Parts, HoldOnePointEachForExactNetsOfAnyBase) {
     const std::pair<std::uint32_t, std::uint64_t> nets[] = {{2, 64},  {3, 27}, {3, 243},  {5, 125}, {5, 625},
                                                             {7, 343}, {7, 49}, {11, 121}, {13, 169}};
     for (const auto& [base, n] : nets) {
@@ -61,7 +61,7 @@ TEST(Parts, OfExactNetsOfAnyBaseHoldOnePointEach) {
     }
 }
 
-TEST(Parts, OfExactNetsShowAPointThatIsMoved) {
+TEST(Parts, ShowAMovedPointOfAnExactNet) {
     for (const auto& [base, n] : {std::pair{3u, 243u}, std::pair{5u, 125u}, std::pair{7u, 343u}}) {
         for (const std::size_t moved : {1u, 40u, n + 2u, n + 100u}) {
             PointSet set = exact_net(base, n);

@@ -42,7 +42,7 @@ TEST(SetOfRows, RoundsDownToMultiplesOfTwoToTheMinus32) {
     }
 }
 
-TEST(SetOfRows, NamesThePlaceOfANumberThatIsNotInTheCube) {
+TEST(SetOfRows, NamesThePlaceOfANumberOutsideTheCube) {
     EXPECT_THAT(
         [] {
             PointSet set;

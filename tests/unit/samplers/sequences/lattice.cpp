@@ -124,14 +124,14 @@ TEST(LatticeVector, HasTheWorstCaseErrorsThatTheDetailsState) {
     EXPECT_NEAR(std::sqrt((std::pow(7.0 / 6, 4) - 1) / 256), 5.8e-2, 0.05e-2);
 }
 
-TEST(LatticeVector, IsBetterThanAnArbitraryOne) {
+TEST(LatticeVector, IsBetterThanAnArbitraryVector) {
     const Vector diagonal{1, 3, 5, 7};
     for (unsigned m = 6; m <= 14; ++m) {
         EXPECT_LT(worst_case_error(Lattice::generating_vector, m), worst_case_error(diagonal, m));
     }
 }
 
-TEST(LatticeVector, IsBetterThanAPublishedOneByItsOwnCriterion) {
+TEST(LatticeVector, IsBetterThanAPublishedVectorByItsOwnCriterion) {
     // The first components of the vector of [cools2006] for up to 2^20 points, which was made for other weights.
     const Vector published{1, 182667, 469891, 498753};
     for (unsigned m = 6; m <= 16; ++m) {

@@ -84,7 +84,7 @@ TEST(PairSpreads, DetectADoubledStandardDeviation) {
 
 // A ratio that is said to be detectable is found in most comparisons. Risks: 1e-6; a rate of 40 % is noticed with power
 // .99.
-TEST(PairSpreads, DetectWhatTheyClaimToDetect) {
+TEST(PairSpreads, DetectTheDetectableRatio) {
     constexpr double level = 1 - 0.05 / (2 * pairs_of_cube);
     std::mt19937_64 engine(1);
     const PairSpreads a = spreads_of_trials(normal, 100, 1, engine);

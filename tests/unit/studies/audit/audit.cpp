@@ -51,7 +51,7 @@ TEST(AuditOfThePaper, FindsAWrongSumOfErrors) {
     EXPECT_EQ(meant("table2.7.1"), "1.41");
 }
 
-TEST(AuditOfThePaper, RecoversARowThatIsACopyOfAnother) {
+TEST(AuditOfThePaper, RecoversARowCopiedFromAnother) {
     // 1 - 0.200502 - 0.200634 - 0.199044 - 0.200625 = 0.199195, and 100 * (0.1998 - 0.199195) / 0.1998 = 0.303
     const Finding* finding = find(paper().report, "table5.1.3+1");
     ASSERT_NE(finding, nullptr);

@@ -32,7 +32,7 @@ TEST(Propagate, SnapsToWholeHits) {
     EXPECT_FALSE(propagate(system, {}));
 }
 
-TEST(Propagate, PutsAnErrorOnTheSideThatIsPossible) {
+TEST(Propagate, PutsAnErrorOnThePossibleSide) {
     ConstraintSystem system;
     system.variables = {{{0.9, 1.0}, {}}};
     system.constraints = {{.kind = ConstraintKind::deviation, .terms = {{0, 1}}, .values = {2, 3}, .reference = 1}};

@@ -14,7 +14,7 @@ using test::rounded_digits;
 
 constexpr NumberFormat truncated_digits{Rounding::truncated, Layout::significant_digits, 6};
 
-TEST(PossibleHits, FindsTheOneWholeNumber) {
+TEST(PossibleHits, FindsTheOnlyWholeNumber) {
     // python3 -c "print(21024/105625)"  ->  0.19904378698224852
     const auto hits = possible_hits({0.1990435, 0.1990445}, 105625);
     ASSERT_TRUE(hits);
@@ -54,7 +54,7 @@ TEST(WeighFormats, RecognisesRoundingAndTruncation) {
     }
 }
 
-TEST(WeighFormats, FindsNothingInFiguresThatAreNotFractions) {
+TEST(WeighFormats, FindsNothingInFiguresOtherThanFractions) {
     // Multiples of an irrational step: whole hits only by chance, about 0.106 of 30.
     std::vector<SampledFigure> figures;
     for (int k = 1; k <= 30; ++k) {

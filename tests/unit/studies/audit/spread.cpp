@@ -47,7 +47,7 @@ TEST(WeighSpread, NoticesValuesTooFarAndTooClose) {
 }
 
 // Sums of 25200 rays have standard deviations of about 0.004.
-TEST(WeighSpread, LeavesRoomForDigitsThatAreNotPrinted) {
+TEST(WeighSpread, LeavesRoomForUnprintedDigits) {
     EXPECT_GT(spread_of_sums(1, 10, 0.05)->too_far, 0.01);
     EXPECT_GT(spread_of_sums(1, 0.01, 0.005)->too_close, 0.01);
 }

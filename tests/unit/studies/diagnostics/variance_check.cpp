@@ -55,7 +55,7 @@ TEST(VarianceCheck, CatchesAWrongNumberOfRays) {
     }
 }
 
-TEST(VarianceCheck, CatchesRaysThatAreNotIndependent) {
+TEST(VarianceCheck, CatchesDependentRays) {
     // The same store under the name of a sampler with independent points.
     Analysis findings = analyse(test::run(plan_of_rays("sobol")));
     EXPECT_FALSE(only_check(findings));

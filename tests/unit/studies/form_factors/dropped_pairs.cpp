@@ -75,7 +75,7 @@ TEST_P(DroppedPairs, AreSmallAndCountedInTheirRowSums) {
 INSTANTIATE_TEST_SUITE_P(Faces, DroppedPairs, testing::Bool(),
                          [](const auto& faces) { return faces.param ? "OfTwoSurfaces" : "OfOneSurface"; });
 
-TEST(PairsThatAreDroppedByGeometry, NeedNoSamples) {
+TEST(PairsDroppedByGeometry, NeedNoSamples) {
     const Scene scene = tiled_walls(false);
     EXPECT_LT(matrix_dropping(scene, 0.02).samples, matrix_dropping(scene, 0).samples);
 }

@@ -112,7 +112,7 @@ class FormFactorStore : public testing::Test {
     KeptMatrix kept = found(scene_source("squares_blocked"), false);
 };
 
-TEST_F(FormFactorStore, RestoresWhatWasSaved) {
+TEST_F(FormFactorStore, RestoresTheSavedMatrix) {
     for (const auto& [source, repaired] :
          {std::pair(scene_source("squares_blocked"), false), std::pair(scene_source("nested_cubes"), true),
           std::pair(source_of_file("room.obj", triangles_obj), false)}) {

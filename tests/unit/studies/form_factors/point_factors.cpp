@@ -91,7 +91,7 @@ TEST(PointFactors, HoldWhereverThePointIs) {
 }
 
 // Near to a wall in a room whose coordinates have few digits, and with a normal of any length.
-TEST(PointFactors, SeeWhatIsNear) {
+TEST(PointFactors, SeeANearFaceWhole) {
     const std::string room =
         "# closed\nv 0 0 0\nv 116.123 0 0\nv 116.123 104.237 0\nv 0 104.237 0\nv 0 0 103.519\nv 116.123 0 103.519\n"
         "v 116.123 104.237 103.519\nv 0 104.237 103.519\ng floor\nf 1 2 3 4\ng roof\nf 5 8 7 6\ng south\nf 1 5 6 2\n"

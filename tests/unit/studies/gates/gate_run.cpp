@@ -57,7 +57,7 @@ constexpr std::string_view leaky_method =
 constexpr std::string_view ladder_method =
     "sampler = \"random\"\nestimator = \"ray_shooting\"\nsamples_per_patch = [64, 256, 1024]\n";
 
-TEST(GateRun, PassesWhatIsRight) {
+TEST(GateRun, PassesSoundMethods) {
     for (const Spec& spec :
          {one_gate("bias", "band = 0.005"), one_gate("bias", "band = 0.005", sobol_method),
           one_gate("std", "band = 0.2"), one_gate("rmse", "band = 0.2"), one_gate("closure", "band = 1e-9"),
@@ -74,7 +74,7 @@ TEST(GateRun, PassesWhatIsRight) {
     }
 }
 
-TEST(GateRun, FailsWhatIsWrong) {
+TEST(GateRun, FailsBrokenMethodsAndWrongExpectations) {
     for (const Spec& spec :
          {one_gate("bias", "band = 0.005", centres_method), one_gate("bias", "band = 0.005", same_seed_method),
           one_gate("lost_rays", "band = 0", leaky_method), one_gate("closure", "band = 1e-6", leaky_method),
@@ -275,7 +275,7 @@ TEST(BaselineRun, RefusesAChangedStudy) {
                 HasSubstr("none is given"));
 }
 
-TEST(BaselineRun, RefusesFilesThatAreNotBaselines) {
+TEST(BaselineRun, RefusesFilesOtherThanBaselines) {
     for (const char* text :
          {"", "{}", "[]", R"({"schema": "ffstudy.baseline/1"})", R"({"schema": "other", "gates": []})",
           R"({"schema": "ffstudy.baseline/1", "gates": [{"gate": 1}]})"}) {

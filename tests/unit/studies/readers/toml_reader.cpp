@@ -46,7 +46,7 @@ TEST(ParseToml, RefusesKeysOfManyParts) {
         EXPECT_THAT(refusal(fine), HasSubstr("unknown key 'a'")) << fine.substr(0, 10);
 }
 
-TEST(TomlReader, QuotesOnlyTheBeginningOfWhatIsLong) {
+TEST(TomlReader, QuotesOnlyTheBeginningOfALongText) {
     const std::string text(10'000'000, 'x');
     std::string list = "[1";
     for (int i = 0; i < 100'000; ++i) list += ", 1";

@@ -42,7 +42,7 @@ std::vector<std::string> doubts_of(const test::MakeRows& rows, std::uint64_t n, 
     return test::found(checks_of(rows, n, d, promise), SamplerVerdict::inconclusive, "values");
 }
 
-TEST(ExplainedValues, AreThoseOfAGridOrLatticeThatIsPromised) {
+TEST(ExplainedValues, IncludeThoseOfAPromisedGridOrLattice) {
     const std::pair<std::uint64_t, std::size_t> sizes[] = {{100, 2}, {64, 2}, {49, 2}, {343, 3}, {216, 3}, {81, 4}};
     for (const auto& [n, d] : sizes) {
         for (const Shift shift : {Shift::none, Shift::any}) {
@@ -57,14 +57,14 @@ TEST(ExplainedValues, AreThoseOfAGridOrLatticeThatIsPromised) {
     }
 }
 
-TEST(ExplainedValues, AreNotThoseOfACoarseShift) {
+TEST(ExplainedValues, ExcludeThoseOfACoarseShift) {
     for (const char* const promise : {"lattice", "stratified"})
         EXPECT_THAT(doubts_of(grid(Shift::of_256), 64, 2, promise),
                     testing::ElementsAre(HasSubstr("on a grid of 1/256"), HasSubstr("on a grid of 1/256")))
             << promise;
 }
 
-TEST(ExplainedValues, AreNotThoseOfCoarsePlacesInCells) {
+TEST(ExplainedValues, ExcludeThoseOfCoarsePlacesInCells) {
     const auto coarse = [](std::size_t n, std::size_t d, std::mt19937_64& random) {
         auto rows = grid(Shift::none)(n, d, random);
         for (auto& row : rows)
@@ -76,7 +76,7 @@ TEST(ExplainedValues, AreNotThoseOfCoarsePlacesInCells) {
     EXPECT_THAT(test::found(checks, SamplerVerdict::inconclusive, "values"), SizeIs(4));
 }
 
-TEST(ExplainedValues, AreNotThoseOfAPromiseThatIsBroken) {
+TEST(ExplainedValues, ExcludeThoseOfABrokenPromise) {
     const auto moved = [](std::size_t n, std::size_t d, std::mt19937_64& random) {
         auto rows = grid(Shift::any)(n, d, random);
         rows[n / 2][0] = rows[n / 2 - 1][0];

@@ -72,7 +72,7 @@ TEST(StructureDoubts, SpareLatinHypercubesAndNetsMadeElsewhere) {
                 IsEmpty());
 }
 
-TEST(StructureDoubts, FindALatinHypercubeThatIsHalfRandom) {
+TEST(StructureDoubts, FindAHalfRandomLatinHypercube) {
     for (const std::uint64_t n : {64u, 100u}) {
         const auto doubts =
             doubts_of([](auto m, auto d, auto& random) { return test::latin_rows(m, d, random, 0.5); }, n, 2, 3000);
@@ -81,14 +81,14 @@ TEST(StructureDoubts, FindALatinHypercubeThatIsHalfRandom) {
     }
 }
 
-TEST(StructureDoubts, FindANetThatAShiftHasBroken) {
+TEST(StructureDoubts, FindANetBrokenByAShift) {
     const auto doubts =
         doubts_of([](auto n, auto d, auto& random) { return test::net_rows(n, d, random, 0, false); }, 64, 2);
     ASSERT_THAT(doubts, SizeIs(1));
     EXPECT_THAT(doubts.front(), HasSubstr("a digital net of t 0 in base 2, shifted modulo 1"));
 }
 
-TEST(StructureDoubts, FindALatinHypercubeThatAShiftHasBroken) {
+TEST(StructureDoubts, FindALatinHypercubeBrokenByAShift) {
     const auto shifted = [](std::size_t n, std::size_t d, std::mt19937_64& random) {
         auto rows = test::latin_rows(n, d, random);
         for (std::size_t j = 0; j < d; ++j) {

@@ -161,7 +161,7 @@ TEST(EnergyPlusFiles, MayBeEpJson) {
     expect_room(read_zone(replaced(room_as_json(), "FenestrationSurface:Detailed", "Lights"), "room.epjson"));
 }
 
-TEST(EnergyPlusFiles, HaveWindowsThatAreCutOutOfTheirWalls) {
+TEST(EnergyPlusFiles, HaveWindowsCutOutOfTheirWalls) {
     const Scene scene =
         read_zone(replaced(room(), "9.5", "8.9") + replaced(window("SOUTH wall"), ", , , ,", ", , , , ,"));
     EXPECT_THAT(doubts_about(scene), IsEmpty());
@@ -176,7 +176,7 @@ TEST(EnergyPlusFiles, HaveWindowsThatAreCutOutOfTheirWalls) {
     }
 }
 
-TEST(EnergyPlusFiles, HaveWindowsInWallsThatAreNotConvex) {
+TEST(EnergyPlusFiles, HaveWindowsInNonConvexWalls) {
     const Corners corner_wall{{4, 0, 0}, {4, 0, 2.5}, {3, 0, 2.5}, {3, 0, 1}, {0, 0, 1}, {0, 0, 0}};
     const std::string zone = old_rules + "Zone,Z;" + wall("L", "Z", corner_wall);
     const Scene scene = read_zone(zone + window("L", "", {{3.8, 0, 0.5}, {3.8, 0, 2}, {3.2, 0, 2}, {3.2, 0, 0.5}}));
@@ -234,7 +234,7 @@ TEST(EnergyPlusFiles, MayHaveATransformationThatChangesNothing) {
 }
 
 /// Two rooms side by side, one of them turned; the wall between them is described once.
-TEST(EnergyPlusFiles, HaveZonesThatAreTurnedAndShareWalls) {
+TEST(EnergyPlusFiles, HaveTurnedZonesThatShareWalls) {
     std::string text = relative_rules + "Zone, Left, 30, 1, 2, 3; Zone, Right, 120, 2, 2, 3;\n";
     text += walls("Left", " ,");
     // Left's east wall in Right's coordinates: moved by the origins' difference, and turned back by 90 degrees.
@@ -258,7 +258,7 @@ TEST(EnergyPlusFiles, HaveZonesThatAreTurnedAndShareWalls) {
                 HasSubstr("no zone or space is called 'Attic'. Zones are 'Left', 'Right'."));
 }
 
-TEST(EnergyPlusFiles, GetRemarksOnWhatIsIgnored) {
+TEST(EnergyPlusFiles, GetRemarksOnIgnoredObjectsAndFields) {
     const std::string more = "InternalMass, desks, Wood, Zone One, , 20;\nConstruction:AirBoundary, Brick, None;\n" +
                              replaced(window("south wall"), ", , , , 1", ", , , Frame, 1");
     const auto remarks = read_zone(room() + more).remarks;

@@ -66,11 +66,11 @@ TEST(GmshFaces, AreTheSmallestOfSeveralPhysicalSurfacesInBothVersions) {
     }
 }
 
-TEST(GmshFaces, AreThoseOfTheSmallerTagWherePhysicalSurfacesAreEquallyLarge) {
+TEST(GmshFaces, HaveTheSmallerTagWherePhysicalSurfacesAreEquallyLarge) {
     EXPECT_THAT(gmsh_scene(gmsh_4("2 7 5", "0")).faces, ElementsAre("floor", "surface_2"));
 }
 
-TEST(GmshFaces, AreBothSidesOfAPlateThatIsPhysicalInEitherDirection) {
+TEST(GmshFaces, AreBothSidesOfAPlatePhysicalInEitherDirection) {
     const std::string repeated = gmsh_2("1 2 2 5 1 1 2 3\n2 2 2 5 1 1 3 4\n3 2 2 7 1 3 2 1\n4 2 2 7 1 4 3 1\n");
     for (const std::string& text : {gmsh_4("2 5 -7", "0"), repeated}) {
         const Scene scene = gmsh_scene(text);
@@ -113,7 +113,7 @@ TEST(VtkFaces, AreOneFaceWithANoteWhereNoArrayDistinguishesThem) {
     EXPECT_THAT(constant.remarks, IsEmpty());
 }
 
-TEST(VtkFaces, LeaveOutCellsThatAreHiddenOrDuplicates) {
+TEST(VtkFaces, LeaveOutHiddenAndDuplicateCells) {
     const Scene scene =
         vtk_scene(two_triangles("SCALARS vtkGhostType unsigned_char 1\nLOOKUP_TABLE default\n32 0 0\n"
                                 "SCALARS part int 1\nLOOKUP_TABLE default\n3 4 4\n"));
@@ -147,7 +147,7 @@ TEST(VtkFaces, AreDistinguishedByAnArrayThatAllPiecesHave) {
     EXPECT_THAT(scene.remarks, ElementsAre(HasSubstr("array 'part' tells its faces apart")));
 }
 
-TEST(VtkFaces, OfXmlAreNotDistinguishedByTexts) {
+TEST(VtkFaces, AreNotDistinguishedByTextsInXml) {
     const std::string names = "<Array type=\"String\" Name=\"wall\" format=\"ascii\">102 0</Array>";
     const Scene scene = xml_scene(grid_of(piece(0, names) + piece(1, names)));
     EXPECT_THAT(scene.faces, ElementsAre("mesh"));
@@ -155,7 +155,7 @@ TEST(VtkFaces, OfXmlAreNotDistinguishedByTexts) {
                 ElementsAre("no array of whole numbers or texts tells its faces apart; 'wall' is not used"));
 }
 
-TEST(VtkFaces, OfXmlLeaveOutDuplicateCells) {
+TEST(VtkFaces, LeaveOutDuplicateCellsInXml) {
     const Scene scene = xml_scene(grid_of(piece(0, cell_array("vtkGhostType", 1, "UInt8") + cell_array("part", 1)) +
                                           piece(1, cell_array("vtkGhostType", 0, "UInt8") + cell_array("part", 2))));
     EXPECT_THAT(scene.faces, ElementsAre("part_2"));

@@ -107,7 +107,7 @@ TEST(VtkCells, AreTakenByTheirCorners) {
     EXPECT_THAT(strip.remarks, IsEmpty());  // all triangles face the same way
 }
 
-TEST(MeshFiles, OfVolumesAloneAreRefusedWithAdviceToExtractTheSurface) {
+TEST(MeshFiles, AreRefusedWithoutSurfacesWithAdviceToExtractThem) {
     EXPECT_THAT(fault_of("a.vtk",
                          "# vtk DataFile Version 2.0\n\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
                          "0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"),
@@ -129,7 +129,7 @@ struct Fault {
     std::string_view message;
 };
 
-TEST(BrokenMeshFiles, AreRefusedForWhatIsWrong) {
+TEST(BrokenMeshFiles, AreRefusedWithTheReason) {
     const std::vector<Fault> faults{
         {"room.vtk", "ASCII", "POINTS 8", "POINTS 1000000000000000000", "room.vtk:6: POINTS: 1000000000000000000 x 3"},
         {"room.vtk", "ASCII", "POINTS 8", "POINTS -8", "room.vtk:5: POINTS: '-8' is no number of things"},
@@ -206,7 +206,7 @@ TEST(BrokenMeshFiles, MayHaveAnyBytes) {
 }
 
 // As pyVista writes texts: in binary each has its length before it.
-TEST(MeshFiles, OfVtkHaveGroupsByText) {
+TEST(MeshFiles, HaveGroupsByTextInVtk) {
     const std::string head = "# vtk DataFile Version 5.1\nx\n";
     const auto texts_of = [&](const std::string& file) {
         const test::TemporaryFolder folder;

@@ -112,7 +112,7 @@ TEST(OffFiles, NeedNoKeyword) {
     EXPECT_EQ(plain_fault("a.off", off_file("# a room\nCOFF\n", " 1 0 0 1")), "");
 }
 
-TEST(PlainMeshFiles, AreRefusedForWhatIsWrong) {
+TEST(PlainMeshFiles, AreRefusedWithTheReason) {
     const std::string stl = stl_file(Encoding::text);
     const std::string ply = ply_file(Encoding::text, PlyPolygons::after_points);
     const std::string binary_ply = ply_file(Encoding::big_endian, PlyPolygons::after_points);

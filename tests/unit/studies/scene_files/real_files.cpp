@@ -55,7 +55,7 @@ TEST(RealObjFiles, MayHaveExtensionsInCapitals) {
     EXPECT_THAT(read_real("A.OBJ", std::string(cube_vertices) + "f 1 2 3 4\n").faces, ElementsAre("1"));
 }
 
-TEST(RealObjFiles, HaveFacesByWhatDistinguishesPolygons) {
+TEST(RealObjFiles, HaveFacesByGroupObjectOrMaterial) {
     const std::string of_materials = "o room\nusemtl wood\nf 1 2 3 4\nusemtl stone\nf 5 8 7 6\n";
     const Scene scene = read_cube(of_materials);
     EXPECT_THAT(scene.faces, ElementsAre("wood", "stone"));
@@ -183,7 +183,7 @@ TEST(RealObjFiles, HaveConcavePolygonsOfManyCorners) {
     EXPECT_THROW(read_real("a.obj", star + "f 1 2 3 4 5\n"), UserError);
 }
 
-TEST(RealObjFiles, HaveObjectsThatAreOccludersAndNamesWithBlanks) {
+TEST(RealObjFiles, HaveObjectsAsOccludersAndNamesWithBlanks) {
     const Scene scene = read_cube(
         "o occluder\ng wall\nf 1 2 3 4 # a comment\no room\nusemtl white paint\nf 5 8 7 6\n"
         "usemtl white brick\nf 1 5 6 2\n# faces material\n");
@@ -217,7 +217,7 @@ TEST(Winding, IsThatOfTheMajorityOfAFace) {
     }
 }
 
-TEST(Winding, IsDecidedByWhatIsSeenWhereHalvesAreEqual) {
+TEST(Winding, IsDecidedByVisibilityWhereHalvesAreEqual) {
     const Scene scene = read_cube("g lower\nf 1 2 3 4\ng upper\nf 5 7 6\nf 5 7 8\n");
     EXPECT_NEAR(factor_of(scene, 0, 1), 0.19982489569838746, 1e-12);
     EXPECT_THAT(scene.remarks, ElementsAre(HasSubstr("(line 13)")));
@@ -248,7 +248,7 @@ TEST(Winding, IsFoundDespiteDuplicates) {
     for (std::size_t s = 0; s < 2; ++s) EXPECT_EQ(scene.surfaces[s].normal.z(), 1) << s;
 }
 
-TEST(Winding, OfTwoFacesIsDoubtedInOpenScenes) {
+TEST(Winding, IsDoubtedWhereTwoFacesOfAnOpenSceneDisagree) {
     EXPECT_THAT(examine_scene(read_cube("g floor\nf 4 3 2 1\ng side\nf 1 5 6 2\n")).notes,
                 testing::Contains(HasSubstr("faces 'floor' and 'side' run through a common edge")));
 }

@@ -73,7 +73,7 @@ TEST_F(StoreFile, KeepsTheTextOfThePublishedTables) {
     EXPECT_EQ(Store::open(file()).plan().spec.published, spec.published);
 }
 
-TEST_F(StoreFile, IsRefusedForAnotherStudyWithWhatDiffers) {
+TEST_F(StoreFile, IsRefusedForAnotherStudyWithTheDifference) {
     Store::create_or_resume(file(), store_plan());
     EXPECT_EQ(refusal_to_resume(store_plan()), "nothing thrown");
     EXPECT_THAT(refusal_to_resume(store_plan("trials = 4")),
@@ -286,7 +286,7 @@ TEST(Store, CommittingAUnitAgainChangesNothing) {
     EXPECT_EQ(store.saved_trials(0), 3u);
 }
 
-TEST(Store, SaysWhatIsFinished) {
+TEST(Store, ListsFinishedUnits) {
     Store store = Store::create_or_resume(in_memory, store_plan());
     EXPECT_THAT(store.finished_units(), testing::ElementsAre(false));
     EXPECT_EQ(store.saved_trials(0), 0u);

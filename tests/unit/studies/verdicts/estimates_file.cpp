@@ -34,7 +34,7 @@ TEST(EstimatesFile, ReadsRowsInTheOrderOfTrials) {
     EXPECT_EQ(file.series[1].values[11], -11);
 }
 
-TEST(EstimatesFile, NamesTheCellThatIsWrong) {
+TEST(EstimatesFile, NamesTheWrongCell) {
     EXPECT_THAT(refusal_of_estimates_file(with_row("5,F16,")), HasSubstr("mine.csv:7:7: no estimate (an empty cell)"));
     EXPECT_THAT(refusal_of_estimates_file(with_row("5,,0.2")), HasSubstr("mine.csv:7:3: no quantity"));
     EXPECT_THAT(refusal_of_estimates_file(with_row("5,F16,0.2x")),
@@ -58,7 +58,7 @@ TEST(EstimatesFile, RefusesATrialThatGivesAQuantityTwice) {
                 HasSubstr("mine.csv:7:1: trial 3 gives 'F16' again (line 5 has it"));
 }
 
-TEST(EstimatesFile, RefusesColumnsThatAreMissingUnknownOrDoubled) {
+TEST(EstimatesFile, RefusesMissingUnknownOrDuplicateColumns) {
     EXPECT_THAT(refusal_of_estimates_file(""), HasSubstr("mine.csv:1:1: the file is empty"));
     EXPECT_THAT(refusal_of_estimates_file("trial,quantity\n"), HasSubstr("mine.csv:1:1: column 'estimate' is missing"));
     EXPECT_THAT(refusal_of_estimates_file("trial,quantity,estimates\n"),

@@ -35,7 +35,7 @@ TEST(AdversarialScenes, AreCoveredByTheirIntervals) {
 
 // Checks the check: intervals that are much too narrow miss too often, and without any width they miss the same scenes
 // again and again.
-TEST(AdversarialScenes, AreMissedByIntervalsThatAreTooNarrow) {
+TEST(AdversarialScenes, AreMissedByTooNarrowIntervals) {
     RateTable table = measured(20, 0.02);
     EXPECT_FALSE(holds(table.rates[table.rates.size() - 2], 0.95));
     table = measured(20, 0);

@@ -34,7 +34,7 @@ std::pair<ClaimVerdict, ClaimVerdict> verdicts(const FacetCoverage& coverage, co
 // If rates are just as claimed, some of the 16 claims is refuted by chance with probability 0.05 at most (fixed seeds).
 // With some 40 entries of a kind, a rate of 0.72 inside, or of 0.1 beyond two half widths, would be noticed with
 // probability 0.9; nightly, with some 600 entries, rates of 0.9 and 0.014.
-TEST(FacetCoverage, ReachesWhatIsStated) {
+TEST(FacetCoverage, ReachesTheStatedLevel) {
     const FacetCoverage coverage = coverage_of_facets(1, 0);
     EXPECT_EQ(coverage.contradictions(), 0u);
     EXPECT_EQ(coverage.kinds.size(), 8u) << "no pair is known, or sampled, in some way";
@@ -50,7 +50,7 @@ TEST(FacetCoverage, FindsIntervalsBesideTheValues) {
 
 // Intervals by cells and points are so cautious that a third of their width still is; rays are not. On every push some
 // 40 entries by rays would show a tenth of their width, nightly hundreds show a third.
-TEST(FacetCoverage, FindsIntervalsThatAreTooNarrow) {
+TEST(FacetCoverage, FindsTooNarrowIntervals) {
     const double shrink = test::is_nightly() ? 0.3 : 0.1;
     EXPECT_EQ(verdicts(coverage_of_facets(shrink, 0), "rays").first, ClaimVerdict::fails);
 }
