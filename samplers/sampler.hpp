@@ -42,8 +42,8 @@ struct SamplerInfo {
     std::string_view details;    ///< a paragraph or two: what it is, its limits; shown by `ffstudy explain`
     std::string_view reference;  ///< key of docs/references.md
     Sizes sizes = Sizes::any;
-    std::uint32_t base = 2;      ///< for Sizes::powers
-    std::uint32_t multiple = 1;  ///< for Sizes::powers; points that share an interval
+    std::uint32_t base = 2;      ///< base of Sizes::powers
+    std::uint32_t multiple = 1;  ///< points that share an interval under Sizes::powers
     bool randomised = true;      ///< trials differ
     bool equal_weights = true;   ///< points can be tallied as hits
     Spread spread = Spread::other;

@@ -52,7 +52,7 @@ namespace scenes = configuration_scenes;
 
 using Factor = std::optional<long double>;
 
-constexpr long double outer_edge = 6;  // of nested cubes
+constexpr long double outer_edge = 6;  // edge of the outer of two nested cubes
 /// Depths of the second leg that are allowed. A shorter leg is a mere wrinkle; with a longer one the form factor is so
 /// small that its formula loses its digits.
 constexpr double least_depth = 1e-3;

@@ -12,7 +12,7 @@ namespace ff {
 /// What a configuration consists of; decides whether it can be a scene.
 enum class ConfigurationKind {
     surfaces,  ///< finite surfaces: a scene
-    element,   ///< from a differential area, which has no points to shoot from
+    element,   ///< a differential area and a surface: no points to shoot from
     endless,   ///< two-dimensional: surfaces are infinite in one direction
 };
 

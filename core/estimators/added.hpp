@@ -65,7 +65,7 @@ EstimatorInfo program_traits(bool has_sizes, bool randomised);
 /// @throws UserError where a name is taken by the catalogue
 const EstimatorEntry& add(std::unique_ptr<AddedEstimator> estimator, const std::string& short_name = {});
 
-/// By name or short name. Null where there is none.
+/// The estimator with this name or short name; null where there is none.
 const AddedEstimator* find_added_estimator(std::string_view name);
 
 }  // namespace ff

@@ -20,9 +20,9 @@ class SceneEstimator {
   public:
     SceneEstimator(const Scene& scene, TracerChoice /*tracer*/) : scene_(&scene) {}
 
-    /// Beyond what follows from `info`.
+    /// Why the estimator cannot be used, beyond what follows from `info`; empty: it can.
     static std::string refusal(const EstimatorOptions& /*options*/, const Scene& /*scene*/) { return {}; }
-    /// To be said by estimators with points of their own.
+    /// What is wrong with a size; only estimators with points of their own say so.
     static std::string size_problem(std::uint64_t /*samples*/) { return {}; }
     static bool finite_variance(const EstimatorOptions& /*options*/, const Scene& /*scene*/, int /*from*/, int /*to*/) {
         return true;
@@ -49,7 +49,7 @@ class ErasedEstimator final : public Estimator {
     T estimator_;
 };
 
-/// What follows from `info`: an estimator that sees no occluders, or no mirrors, is refused where there may be some.
+/// The refusal by `info`: an estimator that sees no occluders, or no mirrors, is refused where there may be some.
 std::string refusal_of(const EstimatorInfo& info, const Scene& scene);
 
 /// The same for what an estimator finds out by itself: "NAME cannot be used in scene 'SCENE' (WHY). Use estimator =

@@ -13,14 +13,14 @@ namespace ff {
 /// the whole sphere.
 double largest_kernel(const Scene& scene, int from, int to);
 
-/// For the kernel at random pairs of points. 0 where all pairs of surfaces are seen whole and are peaked so little that
-/// enough of the evaluations meet the peak; what touching surfaces hide is a matter of their variance.
+/// Largest unmet kernel at random pairs of points. 0 where all pairs of surfaces are seen whole and are peaked so
+/// little that enough evaluations meet the peak; what touching surfaces hide is a matter of their variance.
 double largest_unmet_kernel(const Scene& scene, int from, int to, double evaluations);
 
 /// The same for factors from random points to a whole face, which are at most 1.
 double largest_unmet_factor(const Scene& scene, int from, int to, double evaluations);
 
-/// For rays and lines, whose evaluations have a value other than 0, at most `largest`, only where they meet both faces.
+/// The same for rays and lines, whose values are at most `largest`, and 0 unless they meet both faces.
 double largest_unmet_hit(const Scene& scene, int from, int to, double evaluations, double largest);
 
 }  // namespace ff

@@ -43,7 +43,7 @@ std::optional<Eigen::MatrixXd> exact_patch_to_face(const Scene& scene, Subdivisi
 /// Factors from every face (rows) to every face (columns). Empty as above, and where something may stand in between.
 std::optional<Eigen::MatrixXd> exact_form_factors(const Scene& scene);
 
-/// What the patches of one surface exchange with those of another.
+/// The exchange areas of the patches of one surface and those of another.
 struct PatchExchange {
     Eigen::MatrixXd areas;     ///< exchange areas A_i F_ij, [patch of the first][patch of the second]
     double error = 0;          ///< upper bound of the error of any entry, in the same unit

@@ -242,8 +242,8 @@ std::optional<Eigen::MatrixXd> room_exchange(const Scene& scene) {
     return spheres_exchange(scene);
 }
 
-/// In scenes with more surfaces, pairs of faces are not examined one by one: that takes time proportional to the cube
-/// of the number of surfaces.
+/// Pairs of faces are not examined one by one in scenes with more surfaces than this: that takes time proportional to
+/// the cube of their number.
 constexpr std::size_t most_surfaces_pair_by_pair = 128;
 
 }  // namespace

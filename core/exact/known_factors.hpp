@@ -37,7 +37,7 @@ class KnownFactors {
 
     /// Empty where there is none. @pre faces of the scene, from 0
     [[nodiscard]] std::optional<double> at(int from, int to) const { return factors_[index(from, to)]; }
-    /// What a face sends to all faces; empty unless every factor of it is known.
+    /// The sum of the factors from a face to all faces; empty unless all of them are known.
     [[nodiscard]] std::optional<double> row_sum(int from) const;
 
   private:
@@ -47,10 +47,10 @@ class KnownFactors {
     std::vector<std::optional<double>> factors_;  ///< [from * faces + to]
 };
 
-/// From a formula of the catalogue (core/configurations/catalogue.hpp), or of the whole scene (`exact_room_factors`);
-/// else, where there are no mirrors, by closed forms (core/exact/exact.hpp) where the surfaces of both faces are
-/// rectangles along the axes and nothing may stand between any two of them; of more than 128 surfaces only where that
-/// holds for all faces.
+/// Finds factors by formulas of the catalogue (core/configurations/catalogue.hpp) or of the scene
+/// (`exact_room_factors`); else, where there are no mirrors, by closed forms (core/exact/exact.hpp) where the surfaces
+/// of both faces are rectangles along the axes and nothing may stand between any two of them; of more than 128 surfaces
+/// only where that holds for all faces.
 KnownFactors known_factors(const Scene& scene);
 
 /// The occluded fraction of a pair: 1 - F / (F without obstacles), 0 to 1. Empty where either factor is unknown, or the

@@ -69,7 +69,7 @@ constexpr std::string_view in_words(ExchangeReason reason) {
     return exchange_reasons.at(static_cast<std::size_t>(reason));
 }
 
-/// What is known of the exchange area A_1 F_12 of two surfaces beforehand.
+/// The knowledge about the exchange area A_1 F_12 of two surfaces before sampling.
 struct PairExchange {
     ExchangeMethod method = ExchangeMethod::none;
     ExchangeReason reason = ExchangeReason::turned_away;

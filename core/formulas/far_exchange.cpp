@@ -97,7 +97,7 @@ std::optional<BoundedValue<double>> far_exchange_area(const Surface& from, const
         return std::nullopt;
 
     BoundedValue<double> result;
-    double sizes = 0;  // of terms before their cosines
+    double sizes = 0;  // sum of the terms without their cosines
     const std::vector<Node> of_b = nodes_of(*b);
     for (const Node& x : nodes_of(*a)) {
         for (const Node& y : of_b) {
@@ -115,7 +115,7 @@ std::optional<BoundedValue<double>> far_exchange_area(const Surface& from, const
     const double scale = area(from.shape) * area(to.shape) / (std::numbers::pi * distance * distance);
     for (const double reach : reaches) {
         const double ellipse = distance / (4 * reach);
-        const double jacobian = 1 + ellipse;  // of triangles: twice s
+        const double jacobian = 1 + ellipse;  // bound of twice s, the Jacobian of a triangle
         result.error +=
             64.0 / 15 * most * jacobian * std::pow(ellipse, -2.0 * nodes) / (1 - 1 / (ellipse * ellipse)) * scale;
     }

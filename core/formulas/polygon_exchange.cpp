@@ -103,7 +103,7 @@ class SkewIntegral {
   private:
     static constexpr Real ellipse = Panel<Real>::ellipse;
 
-    /// From a point of the outer line.
+    /// The integral over the inner line from a point of the outer one.
     [[nodiscard]] Real inner_integral(Real s) const {
         return integral_from<Real>(outer_.begin + s * outer_.direction, inner_);
     }

@@ -61,9 +61,9 @@ struct Arcs {
     }
 };
 
-/// For each arc, the angle under which it is seen times the cosine between the normal of the plane and that of the
-/// triangle from the place to the arc, a x b; 0 where the arc has no length. The same bits on every CPU. Divided by
-/// 2 pi, the terms around a polygon add up to its form factor.
+/// Finds the term of each arc: the angle under which it is seen, times the cosine between the normals of the plane and
+/// of the triangle from the place to the arc, a x b; 0 where the arc has no length. The same bits on every CPU. Divided
+/// by 2 pi, the terms around a polygon add up to its form factor.
 /// @param arcs   padded by this function
 /// @param terms  at least Arcs::capacity
 void find_arc_terms(Arcs& arcs, const Eigen::Vector3d& normal, std::span<double> terms);
@@ -84,7 +84,7 @@ class ArcSums {
         }
     }
 
-    /// By place.
+    /// The sum of each place.
     [[nodiscard]] std::span<const double> result() {
         flush();
         return {sums_.data(), sums_.size()};

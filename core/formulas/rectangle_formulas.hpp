@@ -8,7 +8,7 @@
 
 namespace ff {
 
-/// From `low` to `high` along one axis. Extended precision keeps sums of a corner and an edge exact far from the
+/// An interval along one axis. Extended precision keeps sums of a corner and an edge exact far from the
 /// origin.
 struct AxisInterval {
     long double low = 0;

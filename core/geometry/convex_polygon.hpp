@@ -31,7 +31,7 @@ typename AnyPolygon::value_type twice_area(const AnyPolygon& polygon) {
     return sum;
 }
 
-/// In squared units of length.
+/// Area of a polygon, in squared units of length.
 template <class AnyPolygon>
 auto polygon_area(const AnyPolygon& polygon) {
     return twice_area(polygon).norm() / 2;
@@ -43,10 +43,10 @@ Eigen::AlignedBox3d box_around(std::span<const Eigen::Vector3d> places);
 /// Reverses the corners where that makes them counter-clockwise around a normal.
 void turn_around(ConvexPolygon& polygon, const Eigen::Vector3d& normal);
 
-/// From a place to the nearest point of the straight line from a to b.
+/// Distance of a place from the straight line from a to b.
 double distance(const Eigen::Vector3d& place, const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-/// From a place to the nearest point of a polygon.
+/// Distance of a place from a polygon.
 /// @param normal  of any length, for corners that are counter-clockwise around it
 double distance(const Eigen::Vector3d& place, const ConvexPolygon& polygon, const Eigen::Vector3d& normal);
 

@@ -166,7 +166,7 @@ std::vector<Eigen::Vector3d> corners(const Shape& shape);
 /// Patch number `index` of a parallelogram.
 Parallelogram patch(const Parallelogram& shape, Grid grid, std::uint32_t index);
 
-/// That patch as a surface of its own. @pre the surface is a parallelogram
+/// Patch number `index` of a surface, as a surface of its own. @pre the surface is a parallelogram
 Surface patch(const Surface& surface, Grid grid, std::uint32_t index);
 
 /// The shape of a surface that is known to be a parallelogram.

@@ -90,7 +90,7 @@ class Shaft {
     /// A plane with all lines on the inside.
     struct Side {
         Eigen::Vector3d out;
-        double height = 0;  ///< above the first corner
+        double height = 0;  ///< height of the plane above the first corner
     };
     std::vector<Side> sides_;  ///< found when they are first needed
 

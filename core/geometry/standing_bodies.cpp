@@ -19,7 +19,7 @@ namespace ff {
 namespace {
 
 using Eigen::Vector3d;
-using Edge = std::pair<std::uint32_t, std::uint32_t>;  // by numbers of its ends
+using Edge = std::pair<std::uint32_t, std::uint32_t>;  // numbers of its ends
 
 std::vector<ConvexPolygon> triangles_of(const ConvexPolygon& polygon) {
     std::vector<ConvexPolygon> triangles;
@@ -208,7 +208,7 @@ std::vector<std::uint32_t> walk(std::map<std::uint32_t, std::uint32_t>& edges) {
 
 std::vector<Finder::Cover> Finder::covered_by_rim(const ConvexPolygon& rim, const std::vector<std::uint32_t>& body,
                                                   const BoxTree& tree) const {
-    const Vector3d normal = twice_area(rim).normalized();  // to where a body stands whose sides face outwards
+    const Vector3d normal = twice_area(rim).normalized();  // towards a body whose sides face outwards
     const auto is_off = [&](const Vector3d& corner) { return std::abs(normal.dot(corner - rim.front())) > gap_; };
     if (std::any_of(rim.begin(), rim.end(), is_off)) return {};
     const Eigen::AlignedBox3d box = box_around(rim);

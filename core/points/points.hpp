@@ -56,8 +56,8 @@ class PointSource {
 
     /// Fills `block.size` points from `first` on. @pre equal_weights()
     virtual void fill(const Stream& stream, PointIndex first, PointBlock& block) const = 0;
-    /// As above in double precision, with weights. An equal-weight point is the centre of its 2^-32 cell: sources of
-    /// such points do with this implementation.
+    /// Fills points in double precision, with weights. An equal-weight point is the centre of its 2^-32 cell: sources
+    /// of such points do with this implementation.
     virtual void fill(const Stream& stream, PointIndex first, WeightedBlock& block) const {
         PointBlock cells;
         cells.dimension = block.dimension;

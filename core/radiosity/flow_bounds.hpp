@@ -16,7 +16,7 @@ struct FactorBounds {
 /// How the radiosity of each face follows from its irradiation H: emitted + reflected * H (power per area, any unit).
 struct FaceLaws {
     Eigen::VectorXd emitted;
-    Eigen::VectorXd reflected;  ///< in [0, 1]
+    Eigen::VectorXd reflected;  ///< reflectance, in [0, 1]
     double surroundings = 0;    ///< radiosity of what lies around
 };
 

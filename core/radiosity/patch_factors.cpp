@@ -123,7 +123,7 @@ Eigen::VectorXd patch_areas(const Scene& scene, Subdivision subdivision) {
     const PatchOrder order(scene, subdivision, Numbered::of_faces);
     Eigen::VectorXd areas(order.size());
     for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
-        const double patches = std::max(order.count(i), 1u);  // of surfaces without a face none are numbered
+        const double patches = std::max(order.count(i), 1u);  // surfaces without a face have no numbered patches
         areas.segment(order.first(i), order.count(i)).setConstant(area(scene.surfaces[i].shape) / patches);
     }
     return areas;

@@ -25,8 +25,8 @@ Eigen::MatrixXd shoot_patch_factors(const Scene& scene, Subdivision subdivision,
                                     const PointSource& points, std::uint64_t samples_per_patch, Allocation allocation,
                                     StreamKey key, std::uint32_t trial);
 
-/// As above from one trial of `area_kernel` with these arguments: the sums over pairs of patches that it adds up to
-/// faces, equal to it up to rounding. Takes about 100 bytes per pair of patches.
+/// Form factors between patches from one trial of `area_kernel` with these arguments: its sums over pairs of patches
+/// before it adds them up to faces, equal up to rounding. Takes about 100 bytes per pair of patches.
 Eigen::MatrixXd kernel_patch_factors(const Scene& scene, Subdivision subdivision, const PointSource& points,
                                      PointMap map, StreamKey key, std::uint32_t trial);
 

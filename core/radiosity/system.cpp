@@ -33,7 +33,7 @@ RadiusBounds spectral_radius(const Eigen::MatrixXd& matrix, double tolerance) {
     FF_EXPECT(matrix.rows() == matrix.cols() && matrix.size() > 0);
     FF_EXPECT(matrix.minCoeff() >= 0 && matrix.allFinite());
     constexpr int most_power_steps = 2000;
-    constexpr double smallest_entry = 1e-280;  // of the iterated vector, before quotients lose their digits
+    constexpr double smallest_entry = 1e-280;  // least entry of x before quotients lose digits
     Eigen::VectorXd x = Eigen::VectorXd::Ones(matrix.rows());
     RadiusBounds bounds{0, std::numeric_limits<double>::infinity()};
     for (int step = 0; step < most_power_steps; ++step) {
@@ -69,7 +69,7 @@ SolvedSystem solve_with_properties(const RadiositySystem& system) {
     Eigen::MatrixXd coefficients = coefficient_matrix(system);
     const Eigen::VectorXd diagonal = coefficients.diagonal().cwiseAbs();
     solved.properties.dominance = (2 * diagonal - coefficients.cwiseAbs().rowwise().sum()).minCoeff();
-    const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>> factorised(coefficients);  // in its place
+    const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>> factorised(coefficients);  // overwrites them
     const double reciprocal = factorised.rcond();
     solved.properties.condition = reciprocal > 0 ? 1 / reciprocal : std::numeric_limits<double>::infinity();
     if (reciprocal > std::numeric_limits<double>::epsilon())

@@ -8,7 +8,7 @@ namespace ff {
 /// and waited for, as the system accounts it. Only differences are meaningful, and no result may depend on them.
 double processor_seconds();
 
-/// As `waitpid`, and adds the program's processor time if it has ended.
+/// Waits as `waitpid` does, and adds the program's processor time if it has ended.
 pid_t wait_counting(pid_t child, int& status, int options);
 
 /// Excludes what this thread and its programs use during its lifetime.

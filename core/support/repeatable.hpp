@@ -8,7 +8,7 @@
 
 namespace ff {
 
-/// What one run of outside code depends on besides sizes.
+/// The seed and trial that one run of outside code depends on besides sizes.
 struct OutsideSeed {
     std::uint64_t seed = 0;
     std::uint32_t trial = 0;
@@ -21,7 +21,7 @@ struct OutsideWords {
     std::string_view no_seed;  ///< what to do where nothing is random
 };
 
-/// For results that, if equal, always show that seeds are ignored.
+/// Says that equal results always show that seeds are ignored.
 inline constexpr auto always_telling = [](const auto& /*result*/) { return true; };
 
 /// Checks once, before the first result of outside code, what trials rest on: two runs with the same seed agree, and

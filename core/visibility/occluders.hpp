@@ -82,7 +82,7 @@ class Occluders {
     [[nodiscard]] std::uint32_t wall_of(std::size_t surface) const {
         return tree_[tree_.leaf_of(static_cast<std::uint32_t>(surface))].wall;
     }
-    [[nodiscard]] bool are_level(std::uint32_t a, std::uint32_t b) const;  ///< by indices of walls
+    [[nodiscard]] bool are_level(std::uint32_t a, std::uint32_t b) const;  ///< walls are given by index
 
     /// Candidates for what stands between any two surfaces.
     [[nodiscard]] std::vector<std::uint32_t> candidates() const;

@@ -10,7 +10,7 @@
 
 namespace ff {
 
-/// For faces with more pairs of surfaces, relative positions are not tested.
+/// Relative positions are not tested for faces with more pairs of surfaces.
 inline constexpr std::size_t most_surface_pairs = 1u << 22;
 
 /// Whether a place lies on a surface, rim included, within `gap`.

@@ -312,7 +312,7 @@ void VisiblePolygon::find(std::span<const Vector3d> places, const Vector3d& norm
     for (std::size_t k = 0; k < places.size(); ++k) {
         const double unoccluded = sum[2 * k];
         const double other = sum[2 * k + 1];
-        const std::array visible{0.0, unoccluded, unoccluded - other, other};  // by sight
+        const std::array visible{0.0, unoccluded, unoccluded - other, other};  // visible factor for each sight
         result[k] = {unoccluded, visible[static_cast<std::size_t>(sights[k])]};
     }
 }

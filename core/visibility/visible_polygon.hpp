@@ -33,7 +33,7 @@ class VisiblePolygon {
     /// The same with these blockers only, given by index.
     [[nodiscard]] Factors from(const Eigen::Vector3d& place, const Eigen::Vector3d& normal,
                                std::span<const std::uint32_t> blockers) const;
-    /// From elements of one plane at once, which takes less time. @param result  as many as places
+    /// Finds the factors from elements of one plane at once, which takes less time. @param result  as many as places
     void find(std::span<const Eigen::Vector3d> places, const Eigen::Vector3d& normal, std::span<Factors> result) const {
         find(places, normal, all_, result);
     }
@@ -53,7 +53,7 @@ class VisiblePolygon {
     };
     double rounding_ = 0;        ///< possible rounding error of coordinates
     std::vector<Plane> planes_;  ///< planes of the blockers
-    /// By blocker: whether it hides something from places on either side of its plane, before it only, or behind.
+    /// Whether a blocker hides something from places on either side of its plane, before it only, or behind.
     enum class Hides : std::uint8_t { always, from_before, from_behind };
     std::vector<Hides> hides_;
     /// For each two blockers, whether each lies behind the other, so that no line meets the front, or the back, of

@@ -40,7 +40,7 @@ class Isocell {
         const std::uint64_t offset = philox(stream, 0, Purpose::scramble)[0] * points_ >> 32;
         for (std::size_t i = 0; i < block.size; ++i) {
             const std::uint64_t cell = (first + i + offset) % points_;
-            if (cell >= 3 * rings_ * rings_) continue;  // in no ring: random
+            if (cell >= 3 * rings_ * rings_) continue;  // a point outside all rings stays random
             const std::uint64_t ring = ring_of(cell);
             const std::uint64_t cells = 3 * (2 * ring + 1);
             squared_sine[i] = share(ring * ring, static_cast<double>(2 * ring + 1) * squared_sine[i], rings_ * rings_);

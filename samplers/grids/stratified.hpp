@@ -30,7 +30,7 @@ class Stratified {
     void fill(const Stream& stream, PointIndex first, PointBlock& block) const {
         philox_block(stream, Purpose::coordinates, first, block);
         if (cells_a_side_ == 1) return;
-        const std::uint64_t width = reciprocal(cells_a_side_);  // of a cell, times 2^64
+        const std::uint64_t width = reciprocal(cells_a_side_);  // width of a cell, times 2^64
         std::uint64_t repeats = 1;                              // consecutive points with the same digit d
         for (std::size_t d = 0; d < block.dimension; ++d) {
             std::uint64_t cell = first / repeats % cells_a_side_;

@@ -173,7 +173,7 @@ void place_inside(const Row<block_capacity>& values, std::uint64_t width, std::s
     const Lanes32 d;
     const Vec32 high = hn::Set(d, static_cast<std::uint32_t>(width >> 32));
     const Vec32 low = hn::Set(d, static_cast<std::uint32_t>(width));
-    const auto carry = [&](Vec32 value, Vec32 x) HWY_ATTR {  // for the even lanes, less value * high
+    const auto carry = [&](Vec32 value, Vec32 x) HWY_ATTR {  // carry of the even lanes, without value * high
         const auto inside = hn::Add(hn::MulEven(x, high), hn::ShiftRight<32>(hn::MulEven(x, low)));
         return hn::BitCast(d, hn::ShiftRight<32>(hn::Add(hn::MulEven(value, low), inside)));
     };

@@ -55,7 +55,7 @@ class SobolLms {
     }
 
   private:
-    /// By column (what digit c of a coordinate becomes, most significant first), for each coordinate.
+    /// Columns of a matrix: what digit c of a coordinate becomes, most significant first; one matrix a coordinate.
     using Matrices = std::array<Words, 32>;
 
     /// The first `columns` columns: the others multiply digits that no point of the block has.

@@ -64,7 +64,7 @@ enum class ShortName {
 const CatalogueEntry& add(std::unique_ptr<AddedSampler> sampler, const std::string& short_name = {},
                           ShortName taken = ShortName::stays);
 
-/// By name or short name. Null where there is none.
+/// The sampler with this name or short name; null where there is none.
 const AddedSampler* find_added(std::string_view name);
 
 /// All samplers with a short name, by that name.

@@ -14,7 +14,7 @@ namespace ff::samplers {
 
 /// Point sets made elsewhere, in fixed point: coordinate * 2^-32.
 struct PointSet {
-    std::uint64_t points = 0;               ///< per set
+    std::uint64_t points = 0;               ///< number of points in each set
     std::size_t dimension = 0;              ///< 1 to max_dimension
     std::uint64_t sets = 0;                 ///< trial t takes set t modulo this
     std::vector<std::uint32_t> coordinate;  ///< [set][dimension][point]

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array<std::uint32_t, max_dimension> bases{2, 3, 5, 7};
 constexpr std::uint32_t max_base = 7;
-constexpr std::uint32_t max_index_digits = 32;  // of a 32-bit index, in base 2
+constexpr std::uint32_t max_index_digits = 32;  // digits of a 32-bit index in base 2
 
 /// The contribution of each permuted digit to the coordinate times 2^64.
 using DigitValues = std::array<std::uint64_t, max_base>;

@@ -117,7 +117,7 @@ double noncentral_chi_squared_tail(double x, double freedom, double lambda, bool
     if (x == 0) return above ? 1 : 0;
     const double score = sankaran_score(x, freedom, lambda) * (above ? 1 : -1);
     constexpr double normal_from = 1e4;
-    constexpr double far = 30;  // below 1e-190, where Boost's series do not end
+    constexpr double far = 30;  // tails below 1e-190, where Boost's series do not end
     if (freedom + lambda > normal_from || std::abs(score) > far) return normal_tail(score);
     try {
         const math::non_central_chi_squared law(freedom, lambda);

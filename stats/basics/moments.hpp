@@ -48,7 +48,7 @@ class Moments {
     double reference_;
     std::size_t count_ = 0;
     double offset_ = 0;                      // mean - reference
-    double sum2_ = 0, sum3_ = 0, sum4_ = 0;  // of powers of (value - mean)
+    double sum2_ = 0, sum3_ = 0, sum4_ = 0;  // sums of powers of (value - mean)
 };
 
 /// Moments of `values`, added in order.

@@ -55,9 +55,9 @@ class LogRmse {
     [[nodiscard]] std::size_t blocks() const { return sizes_.size(); }
 
   private:
-    std::vector<double> mean_squares_;  // of each replicate
+    std::vector<double> mean_squares_;  // one for each replicate
     std::vector<std::size_t> sizes_;
-    std::vector<double> sums_;  // of mean squares, of each block
+    std::vector<double> sums_;  // sums of mean squares, one for each block
 };
 
 /// The median absolute error of a rung, for any draw of its replicates: sorted once, then counted.

@@ -16,8 +16,8 @@ namespace ff::stats {
 /// How often each replicate is drawn in each resample of a ladder, with replacement within its rung. Drawn once and
 /// shared by all statistics of the same replicates.
 ///
-/// Above `most_blocks` replicates, blocks of consecutive ones are drawn instead: sums over independent replicates have
-/// the same distribution either way, and a spread that 4096 blocks show is known to 1 %.
+/// With more than `most_blocks` replicates, blocks of consecutive ones are drawn instead: sums over independent
+/// replicates have the same distribution either way, and a spread that 4096 blocks show is known to 1 %.
 class LadderDraws {
   public:
     static constexpr std::size_t most_blocks = 4096;
@@ -35,7 +35,7 @@ class LadderDraws {
     struct RungBlocks {
         std::size_t block = 1;
         std::size_t blocks = 0;
-        std::size_t begin = 0;  // in the counts of a resample
+        std::size_t begin = 0;  // place in the counts of a resample
     };
 
     std::size_t resamples_;

@@ -103,7 +103,7 @@ double repeats_by_neighbours(const std::map<double, Occurrences>& values, double
         for (auto next = std::next(value); next != values.end() && next->first - value->first <= near; ++next)
             pairs += static_cast<double>(value->second.count) * static_cast<double>(next->second.count);
     }
-    return pairs / 2;  // on either side of it
+    return pairs / 2;  // a site has neighbours on both sides
 }
 
 /// Whether a number is, to rounding, the ratio of two whole numbers so small that one real number in a thousand is:
@@ -166,7 +166,7 @@ bool are_roots_of_counts(const std::vector<double>& distinct, double grain) {
     return find_spacing(squares, rounding) > 1000 * rounding * largest;  // a finer one is made by chance
 }
 
-/// With this few different values each of them counts, including the least and the largest.
+/// Up to this many different values each of them counts, including the least and the largest.
 constexpr std::size_t most_few = 4;
 
 /// Whether ascending distinct values, of n in all, are real numbers, which chance never makes equal.
@@ -243,7 +243,7 @@ std::optional<Repeats> find_repeats(std::span<const double> values) {
     const double nearby = repeats_by_neighbours(inner, spacing, grain);
     found.expected = normal > 0 ? normal : nearby;
     if (spacing == 0 && grain == 0) return found;  // p = 0
-    constexpr double uneven = 1.3;                 // what a steep density adds on its highest sites
+    constexpr double uneven = 1.3;                 // factor that a steep density adds on its highest sites
     const auto repeats = static_cast<double>(found.repeats);
     found.p = std::max(normal > 0 ? boost::math::gamma_p(repeats, normal) : 0,
                        boost::math::gamma_p(repeats, uneven * (nearby + 1)));
@@ -263,7 +263,7 @@ std::size_t repeated_trials(std::span<const std::span<const double>> series) {
         return differing != series.end() && (*differing)[a] < (*differing)[b];
     };
     std::sort(order.begin(), order.end(), is_before);
-    std::vector<std::pair<std::size_t, std::size_t>> repeating;  // how often a trial repeats, and which
+    std::vector<std::pair<std::size_t, std::size_t>> repeating;  // number of repeats, trial
     std::size_t repeats = 0;
     std::size_t different = 0;
     for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {

@@ -22,7 +22,7 @@
 
 namespace ff::gate {
 
-/// What is tolerated, and both risks.
+/// The tolerated band, and both risks.
 struct Options {
     double band = 0;      ///< for means, |mean - reference| <= band; for spreads, a ratio from 1/(1+band) to 1+band
     double alpha = 1e-4;  ///< probability of failing although the effect lies in the band
@@ -39,7 +39,7 @@ struct Estimate {
     double n = std::numeric_limits<double>::infinity();  ///< values behind it
 };
 
-/// What a gate found.
+/// The result of a gate.
 struct Result {
     Verdict verdict = Verdict::inconclusive;
     double effect = 0;  ///< mean - reference, or spread / reference
@@ -112,7 +112,7 @@ inline Result undecided(double n, const char* why) {
     return result;
 }
 
-/// What is wrong with these options; empty where they are valid.
+/// The fault of these options; empty where they are valid.
 inline const char* fault_of(const Options& o) {
     if (!(o.band > 0)) return "band (no number of trials shows an effect of exactly nothing; give a positive one)";
     if (!(o.alpha > 0 && o.alpha < 0.5)) return "alpha (give one above 0 and below 0.5)";
@@ -122,7 +122,7 @@ inline const char* fault_of(const Options& o) {
     return o.comparisons < 1 ? "comparisons (at least 1)" : "";
 }
 
-/// By the usual formula, corrected for Student's t.
+/// The number of trials by the usual formula, corrected for Student's t.
 inline double trials_for(double sigma, const Options& options) {
     const double z = normal_critical(options.pass_alpha);
     const double ratio = (z + normal_critical((1 - options.power) / 2)) * sigma;

@@ -144,7 +144,7 @@ inline double chi_squared_critical(double freedom, double tail) {
     double x = cube > 0.1 ? freedom * cube * cube * cube : 2 * std::exp((log_p + std::lgamma(a + 1)) / a);
     for (int i = 0; i < 100; ++i) {
         const double at = detail::gamma_tail(a, x / 2, upper);
-        const double slope = std::exp(a * std::log(x / 2) - x / 2 - std::lgamma(a) - at);  // of ln P in ln x
+        const double slope = std::exp(a * std::log(x / 2) - x / 2 - std::lgamma(a) - at);  // derivative of ln P by ln x
         const double step = std::clamp((upper ? at - log_p : log_p - at) / slope, -2.0, 2.0);
         x *= std::exp(step);
         if (std::abs(step) < 1e-8) break;

@@ -70,7 +70,7 @@ MeanSkewness skewness_of_mean(const Values& values, double effective) {
 /// @param t     Student's critical value of the tail beyond the limit     @param z  the normal law's
 inline double skewed_reach(const MeanSkewness& skewness, int side, double t, double z) {
     constexpr double caution = 0.7;      // standard errors of the skewness for each of the mean
-    constexpr double largest_shift = 2;  // of the transformation's argument, which turns at 1
+    constexpr double largest_shift = 2;  // largest argument of the transformation, which turns at 1
     const double value = side * skewness.value;
     const double cautious = std::min(value + caution * z * skewness.error, skewness.most);
     if (cautious <= 0) return t;

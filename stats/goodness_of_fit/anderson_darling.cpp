@@ -78,7 +78,7 @@ double anderson_darling(std::span<const double> uniform, double tolerance) {
     const auto n = static_cast<double>(uniform.size());
     double sum = 0;
     for (std::size_t i = 0; i < uniform.size(); ++i) {
-        const double share = (2 * static_cast<double>(i) + 1) / (2 * n);  // at which the term is least
+        const double share = (2 * static_cast<double>(i) + 1) / (2 * n);  // the value at which the term is least
         const double v =
             std::clamp(share, std::max(0.0, uniform[i] - tolerance), std::min(1.0, uniform[i] + tolerance));
         if (v <= 0 || v >= 1) return std::numeric_limits<double>::infinity();

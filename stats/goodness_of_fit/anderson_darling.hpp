@@ -20,9 +20,9 @@ double anderson_darling_tail(double z);
 /// @pre sorted, in [0, 1]; at least one
 double anderson_darling(std::span<const double> uniform, double tolerance);
 
-/// For two samples: differences of the empirical distributions up to `tolerance` do not count, and larger ones count by
-/// their excess, relative to the largest variance possible there. This bounds every term, not the whole sum: levels at
-/// the end of a tolerance are measured, not proved.
+/// A² of two samples: differences of their empirical distributions up to `tolerance` do not count, and larger ones
+/// count by their excess, relative to the largest variance possible there. This bounds every term, not the whole sum:
+/// levels at the end of a tolerance are measured, not proved.
 /// @pre both sorted and not empty
 double anderson_darling(std::span<const double> first, std::span<const double> second, double tolerance);
 

@@ -19,7 +19,7 @@ Matrix zeros(std::size_t size) {
 
 /// Writes L of C = L Lᵀ over the lower half of C, which alone is read; false where C is not positive definite.
 bool factorise(Matrix& correlation) {
-    constexpr double rounding = 1e-12;  // of the ones on the diagonal
+    constexpr double rounding = 1e-12;  // rounding of the ones on the diagonal
     for (std::size_t i = 0; i < correlation.size(); ++i) {
         std::vector<double>& row = correlation[i];
         for (std::size_t j = 0; j <= i; ++j) {

@@ -104,8 +104,8 @@ Interval bounded_sequence(std::span<const double> values, double low, double hig
     double weights = 0;
     double weighted = 0;
     double variation = 0;
-    double sum = 0.5;       // of the values before, with one in the middle
-    double squares = 0.25;  // about their running means, beginning with the largest possible one
+    double sum = 0.5;       // sum of the values so far and one in the middle
+    double squares = 0.25;  // squared deviations from running means, and the largest possible one
     double count = 1;
     for (const double value : values) {
         const double x = (value - low) / width;

@@ -25,8 +25,8 @@ namespace ff::stats {
 inline constexpr double unknown_parts = std::numeric_limits<double>::infinity();
 inline constexpr double no_part = 0;
 
-/// What the evaluations behind all values may have missed. Places that make up a share p of all are met by none of n
-/// evaluations with probability (1 - p)^n, if they are spread no less evenly than independent ones.
+/// A value that the evaluations behind all values may have missed. Places that make up a share p of all are met by none
+/// of n evaluations with probability (1 - p)^n, if they are spread no less evenly than independent ones.
 struct Unmet {
     double largest = 0;      ///< value at such places; 0 where there are none
     double evaluations = 1;  ///< n

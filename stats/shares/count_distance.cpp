@@ -19,7 +19,7 @@ struct Cells {
     std::vector<double> second;
 };
 
-/// From the first cell on, each takes its successors until enough are expected; what remains joins the last.
+/// Pools cells: from the first on, each takes its successors until enough are expected; the rest joins the last.
 template <class Expected>
 Cells pool_neighbours(std::span<const double> first, std::span<const double> second, const Expected& expected) {
     Cells cells;
@@ -71,7 +71,7 @@ double more_variance(double e) {
 /// @param noise  share of the noise that is this sample's
 double add_sample(CountDistance& found, const std::vector<double>& counts, const std::vector<double>& expected,
                   double noise) {
-    double sum = -noise * static_cast<double>(counts.size()) / 2;  // of o ln(o / e), by chance
+    double sum = -noise * static_cast<double>(counts.size()) / 2;  // sum of o ln(o / e), less its mean by chance
     double squares = 0;
     for (std::size_t i = 0; i < counts.size(); ++i) {
         found.statistic += 2 * (deviance(counts[i], expected[i]) + less_bias(counts[i]));

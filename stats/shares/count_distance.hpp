@@ -27,7 +27,7 @@ struct CountDistance {
 /// Empty where fewer than two cells remain. @pre as many shares as counts; they add up to 1
 std::optional<CountDistance> count_distance(std::span<const double> counts, std::span<const double> shares);
 
-/// For two samples. @pre as many cells
+/// The distance between two samples. @pre as many cells
 std::optional<CountDistance> count_distance_of_two(std::span<const double> first, std::span<const double> second);
 
 /// The bin whose count refutes most clearly, at `alpha` over all bins where less than `least_expected` events are

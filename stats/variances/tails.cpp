@@ -52,14 +52,14 @@ double pareto_shape(std::span<const double> excesses) {
 }
 
 constexpr std::size_t fewest_values = 50;  // below, a normal sample may look like anything
-constexpr double tail_alpha = 0.005;       // of each tail
-constexpr double largest_vov = 0.1;        // of a healthy mean [pederson1997]
-constexpr double largest_vov_of_few = 10;  // over n: that of an exponential distribution is 8 / n
-constexpr double largest_shape = 2.0 / 3;  // of the outer tenth about the median: an index of 3/2
+constexpr double tail_alpha = 0.005;       // level for each tail
+constexpr double largest_vov = 0.1;        // relative variance of the variance of a healthy mean [pederson1997]
+constexpr double largest_vov_of_few = 10;  // to be divided by n; an exponential distribution has 8 / n
+constexpr double largest_shape = 2.0 / 3;  // shape of the outer tenth about the median: index 3/2
 constexpr std::size_t fewest_of_the_tail = 10;
-constexpr std::size_t enough_values = 1000;  // to show that a tail as light as the exponential one has a variance
-constexpr std::size_t enough_pooled = 500;   // for a tail as light as the normal one
-constexpr double light_alpha = 0.05;         // of calling a variance finite that is not
+constexpr std::size_t enough_values = 1000;  // enough to show that a tail as light as exponential has a variance
+constexpr std::size_t enough_pooled = 500;   // enough for a tail as light as normal
+constexpr double light_alpha = 0.05;         // risk of calling an infinite variance finite
 
 /// Index of both tails together by Hill's estimate about the median; empty where too many values are equal to it.
 std::optional<double> outer_index(std::span<const double> values) {

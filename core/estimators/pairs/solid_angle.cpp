@@ -18,7 +18,7 @@ namespace {
 /// A point with one coordinate along a line, and another one across it.
 struct Reach {
     double along = 0;
-    double length = 0;  ///< to it
+    double length = 0;  ///< distance of the point
 };
 
 Reach reach(double along, double across) {
@@ -89,7 +89,7 @@ Look look_at_rectangle(const TargetPatch& target, const Vector3d& place, double 
     return {(corner + end.x() * u + end.y() * v).normalized(), half_area};
 }
 
-/// In two triangles: the first coordinate says in which, and where in it.
+/// Looks at the target as two triangles: the first coordinate selects one, and a place in it.
 Look look_at_triangles(const TargetPatch& target, const Vector3d& place, double distance, double s, double t) {
     std::array<Vector3d, 4> to;
     for (std::size_t k = 0; k < to.size(); ++k) to[k] = target.corners[k] - place;

@@ -38,7 +38,7 @@ double sum(const Separations& pairs, std::span<const Eigen::Vector3d> offsets, c
     Columns columns;
     for (std::size_t o = 0; o < offsets.size(); ++o) {
         const Eigen::Vector3d& offset = offsets[o];
-        Columns own;  // of this offset
+        Columns own;  // sums for this offset
         for (std::size_t i = 0; i < pairs.size; i += row) {
             for (std::size_t k = 0; k < vectors; ++k) {
                 const std::size_t at = i + k * lanes;

@@ -37,7 +37,7 @@ struct SourceFrame {
 /// A surface that a source sees some of.
 struct SeenSurface {
     std::size_t surface = 0;
-    Polygon polygon;  ///< in the frame of the source, above its horizon
+    Polygon polygon;  ///< its part above the horizon, in the frame of the source
 };
 
 /// A source, and what lies in front of it.

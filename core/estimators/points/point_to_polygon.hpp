@@ -48,7 +48,7 @@ class PointToPolygon : public SceneEstimator {
         .dimension = 2,
         .points = PointsServe::patches,
         .largest_value = 1,
-        .nanoseconds = 60,  // of all faces of a box
+        .nanoseconds = 60,  // for all faces of a box
         .integrands = {.apart = Integrand::smooth, .adjacent = Integrand::rough},
     };
 

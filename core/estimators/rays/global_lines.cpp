@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 /// Where a line crosses a surface.
 struct Crossing {
     double time = 0;
-    bool arrives = false;  ///< on the front; otherwise it comes from the back
+    bool arrives = false;  ///< it meets the front; otherwise it comes from the back
     int face = no_face;
 };
 
@@ -123,7 +123,7 @@ GlobalLines::GlobalLines(const Scene& scene, TracerChoice tracer) : SceneEstimat
 }
 
 double GlobalLines::largest_unmet(const Scene& scene, int from, int to, double evaluations) {
-    double crossings = 0;  // of one line with the face, at most
+    double crossings = 0;  // largest number of crossings of a line and the face
     for (const Surface& surface : scene.surfaces) {
         if (surface.face == from) crossings += is_flat(surface.shape) ? 1 : 2;
     }
