@@ -27,8 +27,8 @@ struct PatchErrors {
     std::size_t worst = 0;     ///< patch
 };
 
-/// From the patch sums in the store and the exact patch-to-face factors. It applies to the direct estimates, before
-/// completion by reciprocity.
+/// Compares the patch sums in the store with the exact patch-to-face factors: direct estimates, before completion by
+/// reciprocity.
 /// @return empty without patch sums, trials or exact factors, and for one patch per surface
 std::optional<PatchErrors> patch_errors(const Store& store, std::size_t cell);
 

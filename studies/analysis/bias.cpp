@@ -124,7 +124,7 @@ bool withdraw_what_others_explain(const PairTester& tester, std::span<const Quan
                                   std::vector<std::optional<PairTest>>& tests) {
     constexpr std::size_t most_values = 20'000'000;  // number of values drawn: a third of a second
     constexpr std::size_t most_samples = 200'000;
-    constexpr std::size_t many_trials = 400;  // whose own skewness shows as much as that of the others
+    constexpr std::size_t many_trials = 400;  // their own skewness shows as much as that of the others
     const CellEstimates& estimates = tester.estimates;
     const auto trials = estimates.trials();
     const auto found_biased = [&](const std::optional<PairTest>& test) {
@@ -221,7 +221,7 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
     family.others_explain = matters && withdraw_what_others_explain(tester, pairs, tests);
     std::vector<double> p_values;
     std::vector<double> student_p;
-    std::vector<std::size_t> constants;  // of p_values: those of pairs with one value in every trial
+    std::vector<std::size_t> constants;  // places in p_values of pairs with one value in every trial
     double largest_std = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const Summary& summary = summary_of(pairs[i]);

@@ -33,7 +33,7 @@ struct BiasFamily {
     /// A value that would explain the difference on the largest pair if trials had missed it; empty where it is known
     /// to be impossible.
     std::optional<stats::UnseenValue> unseen;
-    double minimum_detectable_bias = 0;  ///< on the worst pair, at the family-wise level and the study's power
+    double minimum_detectable_bias = 0;  ///< that of the worst pair, at the family-wise level and the study's power
     double shown_below = 0;              ///< smallest margin within which every pair is equivalent (level 1 - 2 alpha)
     std::optional<double> margin;        ///< the study's equivalence margin
     double planned_margin = 0;           ///< margin that an unbiased method would pass with the study's power

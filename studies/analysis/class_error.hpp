@@ -39,7 +39,7 @@ struct ClassError {
     std::optional<stats::Interval> efficiency_interval;
 };
 
-/// What all evaluations of all trials of a pair may have missed.
+/// The value that all evaluations of all trials of a pair may have missed.
 using UnmetOf = std::function<stats::Unmet(Quantity pair)>;
 
 /// Empty where no pair of the class has an exact value, or there is no trial.
@@ -55,7 +55,7 @@ std::optional<ClassError> class_error(const CellEstimates& estimates, const Scen
 ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std::uint64_t evaluations,
                           VarianceStatus status, double level, const std::vector<stats::Unmet>& unmet = {});
 
-/// What the mean square of a trial's error over these pairs may owe to values that no evaluation has met: one of n
+/// The part of a trial's mean square error over these pairs that values met by no evaluation may add: one of n
 /// evaluations moves the trial by its value / n, and all n may do so.
 stats::Unmet unmet_squares(const std::vector<stats::Unmet>& pairs, std::uint64_t evaluations);
 

@@ -23,8 +23,8 @@ struct ConfigurationEstimate {
     std::optional<double> standard_errors;             ///< bias in standard errors
 };
 
-/// In the order of the catalogue, then of the cells. Empty where no scene is one of the catalogue. Points into
-/// `findings`.
+/// The estimates in the order of the catalogue, then of the cells; empty where no scene is one of the catalogue. They
+/// point into `findings`.
 std::vector<ConfigurationEstimate> configuration_estimates(const Analysis& findings);
 
 }  // namespace ff::studies

@@ -11,7 +11,7 @@
 
 namespace ff::studies::audit {
 
-/// What ties printed figures to each other and to the truth.
+/// The kinds of ties between printed figures, and of those to the truth.
 enum class Relation {
     printing_rule,           ///< how the publication says that it prints
     printing,                ///< a figure has digits that the format cannot print
@@ -35,7 +35,7 @@ std::string_view name(Relation relation);
 /// assumption about the method.
 struct Suspect {
     std::vector<std::size_t> figures;  ///< indices into PublishedTables::figures; empty for an assumption
-    std::string assumption;            ///< in words; empty for figures
+    std::string assumption;            ///< the assumption in words; empty for figures
     double cost = 1;                   ///< cost of blaming it
     /// Improbability of each digit that it must change, in powers of ten; that of the assumption being wrong.
     double weight = 1;

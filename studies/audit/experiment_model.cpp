@@ -229,7 +229,7 @@ class ModelBuilder {
         return model_.pairs.at(*facts_.face(figure.from) * faces_ + *facts_.face(figure.to));
     }
 
-    /// For each variable of a pair, the smallest range that contains everything its prints allow.
+    /// The smallest range, for each variable of a pair, that contains everything its prints allow.
     [[nodiscard]] std::map<std::size_t, Range> printed_variables() const {
         std::map<std::size_t, Range> printed;
         for (const std::size_t f : experiment_.figures) {

@@ -134,7 +134,7 @@ int misprint_distance(std::string_view printed, std::string_view meant) {
 
 std::optional<HitRange> possible_hits(Range values, std::uint64_t rays) {
     FF_EXPECT(rays >= 1);
-    constexpr double slack = 1e-6;  // of a hit; far above rounding, far below what a printed digit can tell
+    constexpr double slack = 1e-6;  // share of a hit: far above rounding, far below a printed digit
     const double n = static_cast<double>(rays);
     const HitRange hits{static_cast<std::int64_t>(std::ceil(values.low * n - slack)),
                         static_cast<std::int64_t>(std::floor(values.high * n + slack))};

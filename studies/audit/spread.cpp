@@ -101,7 +101,7 @@ std::optional<JointDistance> weigh_spread(const PublishedTables& tables, const S
     const double reach = std::sqrt(room.dot(form->inverse.cwiseAbs() * room));
     const double half_freedom = 0.5 * static_cast<double>(form->chi_squared.freedom);
     spread.too_far = boost::math::gamma_q(half_freedom, 0.5 * std::pow(std::max(0.0, distance - reach), 2));
-    // From its own tail: 1 - p loses it where the values are too close.
+    // Computed from its own tail: 1 - p loses it where the values are too close.
     spread.too_close = boost::math::gamma_p(half_freedom, 0.5 * std::pow(distance + reach, 2));
     return spread;
 }

@@ -18,7 +18,7 @@ struct InferredFormat {
     std::vector<FormatEvidence> evidence;  ///< evidence for each candidate; sampling methods only
 };
 
-/// What the single figures of a method tell about its format. For a sampling method, a format is the more likely the
+/// Infers the format of a method from its single figures. For a sampling method, a format is the more likely the
 /// more figures are whole numbers of hits in it; tables with several readings count only where there are no others. A
 /// deterministic one has fixed decimals, unless the figures' lengths vary as with significant digits. The first
 /// candidate is chosen, but one that is not rounded or truncated as stated only where the odds for it are overwhelming.

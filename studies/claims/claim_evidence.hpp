@@ -33,7 +33,7 @@ class ClaimEvidence {
     /// The cells of all methods at the claim's sizes; those without trials are left out.
     [[nodiscard]] std::vector<std::size_t> cells(const PublishedClaim& claim) const;
 
-    /// Those of the claim's method number `method`, by patches, then samples.
+    /// The cells of the claim's method number `method`, by patches, then samples.
     [[nodiscard]] std::vector<std::size_t> cells(const PublishedClaim& claim, std::size_t method) const;
 
     /// Whether one of the claim's methods has infinite variance on one of its pairs, so that no interval holds for the

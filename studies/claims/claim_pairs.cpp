@@ -14,7 +14,7 @@
 namespace ff::studies {
 namespace {
 
-/// In each trial, on how many pairs the first method errs more than the bounds.
+/// The number of pairs, in each trial, on which the first method errs more than the bounds.
 std::vector<double> counts_above(const ClaimEvidence& evidence, std::size_t cell, const std::vector<Quantity>& pairs,
                                  const std::vector<double>& bounds) {
     std::vector<double> counts;
@@ -123,7 +123,7 @@ Judgement judge_uniform(const ClaimEvidence& evidence, const PublishedClaim& cla
     return judgement;
 }
 
-/// What all runs together say about which pairs are harder; empty where a pair's variance is not known to be finite.
+/// Says which pairs are hardest and easiest by all runs together; empty where a pair's variance may be infinite.
 std::string hardest_and_easiest(const ClaimEvidence& evidence, std::size_t cell, const std::vector<Quantity>& pairs) {
     const StudyPlan& plan = evidence.findings().plan;
     const CellAnalysis& found = evidence.findings().cells[cell];

@@ -27,7 +27,7 @@ struct Rung {
     bool repeatable = false;          ///< the mean of several trials has a smaller error
 };
 
-using Costs = std::vector<std::optional<MeasuredCost>>;  // by cell
+using Costs = std::vector<std::optional<MeasuredCost>>;  // one for each cell
 
 /// Sizes of a method that differ in cost, by ascending cost.
 using Contender = std::vector<Rung>;

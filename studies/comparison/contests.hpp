@@ -13,7 +13,7 @@
 
 namespace ff::studies {
 
-/// What is equal for the methods in a comparison.
+/// The quantity that is equal for the methods in a comparison.
 enum class Equal {
     evaluations,     ///< evaluations in a trial, over all faces
     processor_time,  ///< processor time, as measured

@@ -93,7 +93,7 @@ std::vector<std::size_t> comparable_cells(const Analysis& findings, std::size_t 
         std::size_t cell = 0;
         auto operator<=>(const Chosen&) const = default;
     };
-    std::map<std::size_t, Chosen> chosen;  // by method; those that fit first, then the largest
+    std::map<std::size_t, Chosen> chosen;  // of each method: a cell that fits before others, then the largest
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
         const Cell& cell = plan.cells[i];
         if (cell.scene != scene || estimator_info(plan.spec.methods[cell.method]).exact) continue;

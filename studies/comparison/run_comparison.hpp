@@ -48,8 +48,8 @@ enum class Likeness { alike, different, untestable };
 /// Why a pair of two independent runs is not tested.
 enum class Untested { few_trials, repeated_trials, not_finite, infinite_variance, too_few_hits, no_spread };
 
-/// What would be detected at the level of the smallest p and with the power, on the worst of the pairs on which
-/// anything would be detected.
+/// The effect that would be detected at the level of the smallest p and with the power, on the worst of the pairs on
+/// which any effect would be.
 struct Detectable {
     double size = 0;
     std::size_t pairs = 0;  ///< their number; few trials of skewed estimates show nothing

@@ -74,7 +74,7 @@ struct ClaimedErrors {
     std::uint64_t held = 0;
     Quantity worst_pair = {};  ///< the pair with the fewest claims that hold
     std::uint64_t worst_held = 0;
-    /// On that pair, all runs: Clopper-Pearson, corrected for the pairs of the class.
+    /// Clopper-Pearson interval on that pair from all runs, corrected for the pairs of the class.
     stats::Interval worst_share_interval = {};
     double median_ratio = 0;  ///< median of |error| / claim
     double largest_ratio = 0;
@@ -83,7 +83,7 @@ struct ClaimedErrors {
     [[nodiscard]] double share() const { return static_cast<double>(held) / static_cast<double>(claims); }
 };
 
-/// For every method that claims errors or counts hits. Errors below 1e-12 are rounding; their claims hold.
+/// Judges every method that claims errors or counts hits. Errors below 1e-12 are rounding; their claims hold.
 std::vector<ClaimedErrors> judge_claimed_errors(const CellReader& cells);
 
 }  // namespace ff::studies

@@ -14,13 +14,13 @@ namespace ff::studies {
 struct Evenness {
     std::size_t cell = 0;      ///< one of the cells, for scene, estimator and size
     std::size_t methods = 0;   ///< number of samplers
-    std::string_view measure;  ///< in words
+    std::string_view measure;  ///< name of the measure
     PairClass pair_class = PairClass::other;
     stats::RankCorrelation correlation;  ///< between the measure and the RMSE; positive where uneven points err more
 };
 
-/// For each scene and estimator at the largest size of at most 1024 points that enough samplers share. The measures are
-/// means over a few sets; samplers whose points cannot be made here are left out. Pure.
+/// One result for each scene and estimator, at the largest size of at most 1024 points that enough samplers share. The
+/// measures are means over a few sets; samplers whose points cannot be made here are left out. Pure.
 std::vector<Evenness> compare_evenness_with_errors(const Analysis& findings);
 
 }  // namespace ff::studies

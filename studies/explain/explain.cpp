@@ -111,7 +111,7 @@ constexpr Description adjacent_kernel{
     "that\nothers bring.",
     "pederson1997"};
 
-/// In scenes with more faces, pairs are not examined one by one.
+/// Pairs are not examined one by one in scenes with more faces than this.
 constexpr std::size_t most_faces = 256;
 
 void add_origin(const Scene& scene, ExplainedPair& pair) {

@@ -75,7 +75,7 @@ void leave_all_to_rays(FacePairs& result) {
     }
 }
 
-/// In the order of their faces.
+/// Orders pairs by their faces.
 struct InOrder {
     static auto place(const KnownPair& pair) { return std::tuple(pair.from, pair.to, pair.value); }
     bool operator()(const KnownPair& a, const KnownPair& b) const { return place(a) < place(b); }

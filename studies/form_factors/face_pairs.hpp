@@ -12,7 +12,7 @@
 
 namespace ff::studies::form_factors {
 
-/// For larger matrices, geometric zeros are not written, and nothing takes memory quadratic in the number of faces.
+/// Matrices of more faces are written without geometric zeros, and nothing takes memory quadratic in their number.
 inline constexpr std::size_t most_dense_faces = 4096;
 
 /// Number of unordered pairs of this many faces, including each face with itself.

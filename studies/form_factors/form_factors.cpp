@@ -140,7 +140,7 @@ double half_width(const FaceExchange& exchange) {
 namespace {
 
 constexpr std::string_view no_time = "no time to sample it";
-/// For files of earlier versions, in which rays served pairs that cells serve now.
+/// A reason in files of earlier versions, in which rays served pairs that cells serve now.
 constexpr std::string_view rays_of_row = "the rays of its row do as well";
 
 }  // namespace

@@ -59,14 +59,14 @@ class MatrixBuilder {
     /// @param p  place in FacePairs::pairs
     void take(std::size_t p, const PairEstimate& estimate);
 
-    /// To be called after the last estimate. @param farthest  largest coordinate of the scene
+    /// Has to be called after the last estimate. @param farthest  largest coordinate of the scene
     void end(double farthest);
 
   private:
-    /// What is known of a row's sum apart from its sampled part, in form factors.
+    /// The sum of a row's estimates, and how far it may be off apart from what is sampled, in form factors.
     struct KnownSum {
         double value = 0;    ///< clipped estimates of all pairs
-        double sampled = 0;  ///< of these, the estimates of pairs in RowSums
+        double sampled = 0;  ///< part of `value` from pairs in RowSums
         double down = 0;
         double up = 0;
 

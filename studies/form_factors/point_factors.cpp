@@ -24,7 +24,7 @@ PointFactors::PointFactors(const Scene& scene) : placement_(placement_of(scene))
                 scene.name);
         boxes_.push_back(box_around(surface));
     }
-    constexpr double roundings = 64;  // of the distance from a plane
+    constexpr double roundings = 64;  // possible roundings of a distance from a plane
     gap_ = roundings * std::numeric_limits<double>::epsilon() * farthest_coordinate(scene_);
     level_.resize(scene_.surfaces.size());
     for (const LevelOverlap& overlap : level_overlaps(scene_)) {

@@ -40,7 +40,7 @@ class Rounds {
     /// @return whether it was completed; if it was stopped, pairs may lack estimates
     /// @throws UserError where nothing has been sampled yet, and the budget is less than the smallest rounds
     bool sample(const PairsOfRows& rows, std::uint64_t budget);
-    /// What the last call found, row by row.
+    /// The results of the last call, row by row.
     [[nodiscard]] std::vector<SampledRow> result() const;
 
   private:

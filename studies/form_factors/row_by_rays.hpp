@@ -60,7 +60,7 @@ class RowByRays {
     std::uint64_t rays_ = least_rays;
     std::vector<Hits> hits_;  ///< one for each randomisation
 
-    /// For each face, the place of its pair, or a mark that there is none.
+    /// The place of each face's pair, or a mark that there is none.
     [[nodiscard]] std::vector<std::uint32_t> pairs_of_faces() const;
     [[nodiscard]] bool is_shot(std::uint32_t from, std::uint32_t to) const;
 };

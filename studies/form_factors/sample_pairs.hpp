@@ -15,7 +15,7 @@ struct SamplingOutcome {
     std::uint64_t samples = 0;
     std::uint64_t rays = 0;
     std::uint64_t lost = 0;
-    /// For each face: rays that met nothing, and all rays.
+    /// Rays of each face that met nothing, and all its rays.
     std::vector<std::pair<std::uint64_t, std::uint64_t>> lost_of_rows;
     bool interrupted = false;
     std::size_t left_out = 0;  ///< rows to sample that are neither of this shard nor were received

@@ -70,7 +70,7 @@ EstimatedSum with_means(EstimatedSum known, const std::vector<double>& means, do
 /// @pre all terms have the same number of randomisations
 EstimatedSum estimate_of(const SampledSum& sum, double level);
 
-/// What sampling found for a pair of faces.
+/// The result of sampling for a pair of faces.
 struct PairEstimate {
     std::optional<SampledSum> sum;  ///< the exchange area; empty where no round was completed, or none was needed
     ExchangeMethod method = ExchangeMethod::rays;  ///< cells, points or rays
@@ -80,7 +80,7 @@ struct PairEstimate {
     EstimatedSum other;  ///< estimate from the independent randomisation that contradicts
 };
 
-/// What sampling found for the pairs of a row that are estimated from it, the smaller of their faces. It does not
+/// The results for the pairs that are estimated from a row, the smaller of their faces. It does not
 /// depend on other rows, so that processes can share rows out, and a run can be resumed.
 struct SampledRow {
     std::uint32_t row = 0;                                          ///< its face

@@ -17,7 +17,7 @@ namespace ff::studies::form_factors {
 struct KnownPair {
     std::uint32_t from = 0;  ///< at most `to`
     std::uint32_t to = 0;
-    double value = 0;                                     ///< in squared units of length
+    double value = 0;                                     ///< exchange area, in squared units of length
     double bound = 0;                                     ///< bound of the error of `value`
     ExchangeMethod method = ExchangeMethod::none;         ///< the most expensive that a pair of surfaces needs
     ExchangeReason reason = ExchangeReason::turned_away;  ///< why `method` is needed
@@ -51,7 +51,7 @@ class SampledPairs {
     /// @param pair  from another list with the same occluders
     void add(const SampledPair& pair, const SampledPairs& others);
     void reserve(std::size_t pairs, std::size_t blockers);
-    /// By faces, then by surfaces.
+    /// Sorts by faces, then by surfaces.
     void sort();
     void shrink_to_fit();
 
@@ -77,7 +77,7 @@ struct DroppedPair {
     float most = 0;
 };
 
-/// What was found in a visit.
+/// The pairs found in a visit.
 struct Seen {
     std::vector<KnownPair> known;  ///< pairs of faces, one entry for each pair of surfaces
     SampledPairs open;

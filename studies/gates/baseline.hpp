@@ -27,7 +27,7 @@ struct StoredQuantity {
 /// The saved numbers of one gate.
 struct StoredGate {
     std::string gate;
-    double seconds_per_trial = 0;  ///< on one core; reported, never judged
+    double seconds_per_trial = 0;  ///< processor time on one core; reported, never judged
     std::vector<StoredQuantity> quantities;
 };
 

@@ -58,7 +58,7 @@ struct Plan {
     double stored_seconds_per_trial = 0;  ///< 0 where there is no baseline
     Levels levels;
     bool deterministic = false;
-    std::vector<std::uint64_t> trials;  ///< per look and cell; empty until planned
+    std::vector<std::uint64_t> trials;  ///< trials of a look and cell; empty until planned
     double wanted_trials = 0;  ///< trials that the most demanding cell needs, if more than max_trials allows; else 0
 };
 

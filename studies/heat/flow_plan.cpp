@@ -64,8 +64,8 @@ class Sensitivity {
         return absorbing_.cwiseProduct(solve(system_, of_rows));
     }
 
-    /// For each pair, how many watts a unit of its half width adds to the sum of the half widths of all powers with
-    /// these weights.
+    /// How many watts a unit of each pair's half width adds to the sum of the half widths of all powers with these
+    /// weights.
     [[nodiscard]] std::vector<double> importance(const VectorXd& weights) const {
         const VectorXd of_rows = solve(adjoint_, weights.cwiseProduct(absorbing_));
         std::vector<double> result;
@@ -150,7 +150,7 @@ struct Groups {
 };
 
 Groups groups_of(const form_factors::Matrix& matrix) {
-    constexpr double least = 128;  // of pairs that were not sampled yet
+    constexpr double least = 128;  // samples of pairs that were not sampled yet
     Groups groups;
     std::map<std::uint32_t, std::size_t> by_rays;
     for (const form_factors::FaceExchange& pair : matrix.exchanges) {
@@ -224,7 +224,7 @@ std::optional<std::vector<double>> plan_flows(const Scene& scene, const form_fac
     constexpr int rounds = 8;
     for (int i = 0; i < rounds; ++i) {
         const std::vector<double> importance = sensitivity.importance(weights);
-        std::vector<double> widths_now(groups.samples.size());  // that each group adds to the weighted powers
+        std::vector<double> widths_now(groups.samples.size());  // sum that each group adds to the weighted powers
         for (std::size_t p = 0; p < pairs; ++p) widths_now[groups.of[p]] += importance[p] * allocation.most[p];
         for (std::size_t p = 0; p < pairs; ++p) {
             const std::size_t group = groups.of[p];
@@ -261,7 +261,7 @@ std::optional<double> even_samples(const Scene& scene, const form_factors::Matri
     const Sensitivity sensitivity(scene, matrix, materials, scale);
     if (!sensitivity.is_known()) return std::nullopt;
     std::vector<double> now;
-    std::vector<double> even;  // with a tolerance of 1
+    std::vector<double> even;  // half widths with a tolerance of 1
     for (const form_factors::FaceExchange& pair : matrix.exchanges) {
         now.push_back(has_choice(pair) ? form_factors::half_width(pair) : 0);
         even.push_back(has_choice(pair) ? matrix.smaller_area(pair) : 0);

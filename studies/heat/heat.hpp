@@ -20,7 +20,7 @@ inline constexpr double stefan_boltzmann = 5.670374419e-8;
 /// How well every power is to be known.
 struct FlowTolerance {
     double amount = 1e-3;
-    bool is_power = false;  ///< in W; otherwise a share of what the sources give off
+    bool is_power = false;  ///< `amount` is in W; otherwise it is a share of what the sources give off
 
     /// The tolerance in W. @param throughput  what the sources give off
     [[nodiscard]] double power(double throughput) const { return is_power ? amount : amount * throughput; }

@@ -17,7 +17,7 @@ constexpr double coldest_expected = 150;  // K: below that, degrees Celsius are 
 /// Beyond these, double precision holds no flow.
 constexpr double hottest = 1e9;  // K; the coldest but 0 is its inverse
 constexpr double least_emissivity = 1e-9;
-constexpr double largest = 1e60;  // of fluxes and emissions; smaller than its inverse are 0 or nothing
+constexpr double largest = 1e60;  // flux or emission; those below its inverse are 0 or nothing
 
 bool is_held(const std::optional<double>& value, double most = largest) {
     return !value || *value == 0 || (std::abs(*value) <= most && std::abs(*value) >= 1 / most);

@@ -29,7 +29,7 @@ constexpr double nanoseconds_of_a_point = 2e4;
 samplers::PointSet run_for_set(const Program& program, const SetRequest& request) {
     samplers::expect_whole(program.title(), request);
     const std::string place = fmt::format("{} ({})", program.title(), samplers::in_words(request));
-    constexpr std::uint64_t bytes_of_a_number = 64;  // in text, with much to spare
+    constexpr std::uint64_t bytes_of_a_number = 64;  // length as text, with much to spare
     const std::uint64_t most = 65536 + request.points * (request.dimension + 4) * bytes_of_a_number;
     const std::string output =
         program.takes_requests()

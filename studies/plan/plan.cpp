@@ -28,7 +28,7 @@ constexpr std::uint64_t most_units = 10'000'000;
 
 /// About a month on one core.
 constexpr double most_evaluations = 1e15;
-constexpr std::uint64_t most_patches = 1u << 31;  // of a scene
+constexpr std::uint64_t most_patches = 1u << 31;  // patches of a scene
 
 std::uint64_t sample_count(const Method& method, const Size& size) {
     if (method.nodes) {

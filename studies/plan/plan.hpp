@@ -38,7 +38,7 @@ struct StudyPlan {
     std::vector<Scene> scenes;
     std::vector<Cell> cells;
     std::vector<WorkUnit> units;
-    std::vector<std::string> warnings;  ///< for the user: sizes at which a sampler is not at its best
+    std::vector<std::string> warnings;  ///< notes on sizes at which a sampler is not at its best
 };
 
 /// @throws UserError where scene, sampler and estimator do not fit

@@ -19,7 +19,7 @@ class SolverRuns {
   private:
     struct OfSolver {
         SolverStatistics statistics;
-        std::vector<double> iterations, flops;  // of the runs that converged
+        std::vector<double> iterations, flops;  // one for each run that converged
     };
     std::vector<OfSolver> solvers_;
 };

@@ -156,7 +156,7 @@ Results find_consequences(const Store& store, const std::atomic<bool>* stop) {
 }
 
 std::vector<BiasOrder> bias_orders(const StudyPlan& plan, const Results& results) {
-    constexpr double rounding = 1e-9;  // of a solution of a system with condition 1e6, relative
+    constexpr double rounding = 1e-9;  // relative rounding of a solution with condition 1e6
     std::vector<BiasOrder> orders;
     for (const Ladder& ladder : find_ladders(plan)) {
         if (ladder.growth != Growth::samples || plan.cells[ladder.cells.front()].deterministic) continue;

@@ -58,8 +58,8 @@ struct SettingStatistics {
     std::size_t dominant = 0;    ///< trials with G strictly diagonally dominant
     std::size_t convergent = 0;  ///< trials with a spectral radius of P F certainly below 1
     std::size_t divergent = 0;   ///< those with a spectral radius certainly at least 1
-    std::size_t singular = 0;    ///< G singular to working precision: without exitance
-    std::size_t negative = 0;    ///< with a solution that is negative somewhere: no exitance
+    std::size_t singular = 0;    ///< trials with G singular to working precision: no exitance
+    std::size_t negative = 0;    ///< trials with a solution that is negative somewhere: no exitance
     OverTrials spectral_radius;
     double spectral_radius_uncertainty = 0;  ///< largest width of its bounds
     OverTrials condition;
@@ -83,8 +83,8 @@ struct Consequences {
     OverTrials reciprocity_defect;  ///< largest |F_ij - F_ji A_j / A_i|
     OverTrials correction;          ///< largest change of a factor by the treatment
     OverTrials factor_error;        ///< root mean square over pairs of F - exact
-    OverTrials dominant_below;  ///< with one reflectance for all elements, G is strictly diagonally dominant below this
-    OverTrials convergent_below;  ///< and the spectral radius of P F is below 1 below this
+    OverTrials dominant_below;      ///< uniform reflectance below which G is strictly diagonally dominant
+    OverTrials convergent_below;    ///< uniform reflectance below which the spectral radius of P F is below 1
     std::vector<SettingStatistics> settings;
 };
 
@@ -143,7 +143,7 @@ struct BiasOrder {
     std::optional<stats::Interval> interval;
 };
 
-/// For ladders of sampled methods with growing numbers of samples: one result per treatment and setting, where the
+/// Finds bias orders on ladders of sampled methods that grow in samples: one per treatment and setting for which the
 /// exitance has a mean and varies by more than rounding at every size.
 std::vector<BiasOrder> bias_orders(const StudyPlan& plan, const Results& results);
 

@@ -15,12 +15,12 @@ namespace {
 /// Matrices between patches at a time: exact factors, estimates, treated ones, and what balancing or elimination needs.
 constexpr std::uint64_t matrices = 9;
 constexpr std::uint64_t bytes_of_a_kernel_pair = 110;
-constexpr std::uint64_t bytes_of_a_small_matrix = 48;  // beside its entries
+constexpr std::uint64_t bytes_of_a_small_matrix = 48;  // overhead beside its entries
 
 constexpr double seconds_between_faces = 6e-6;  // a system of six faces
 constexpr double seconds_of_an_exact_factor = 6e-7;
 constexpr double seconds_of_a_traced_ray = 2e-8;  // one by one, beside its point
-constexpr double seconds_of_an_entry = 3e-10;     // of a matrix times a vector, from memory
+constexpr double seconds_of_an_entry = 3e-10;     // an entry of a matrix from memory, times a vector
 constexpr double seconds_of_elimination = 6e-11;  // a floating-point operation
 constexpr double passes_over_a_matrix = 150;      // properties, balancing, conditions
 constexpr double passes_of_solvers = 10;          // all solvers, for each iteration of Jacobi's

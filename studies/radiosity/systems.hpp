@@ -16,7 +16,7 @@
 
 namespace ff::studies::radiosity {
 
-/// What is done to the direct estimates of a trial before the system is solved.
+/// The treatment of the direct estimates of a trial before the system is solved.
 enum class Treatment {
     direct,      ///< nothing: every row comes from its own samples
     reciprocal,  ///< the lower triangle from the upper one
@@ -70,7 +70,7 @@ struct Lighting {
 
 /// Reflectance and emission of every patch.
 struct PatchLight {
-    std::vector<Eigen::VectorXd> reflectance;  ///< by setting
+    std::vector<Eigen::VectorXd> reflectance;  ///< of every patch, for each setting
     Eigen::VectorXd emission;
 };
 

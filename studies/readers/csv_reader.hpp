@@ -13,7 +13,7 @@ namespace ff::studies {
 struct CsvField {
     std::string text;
     std::size_t line = 0;    ///< where it begins, from 1
-    std::size_t column = 0;  ///< in bytes, from 1
+    std::size_t column = 0;  ///< first byte in its line, from 1
 };
 
 /// Records of a CSV text [rfc4180]: fields between commas, quoted where they hold commas, quotes (doubled) or line

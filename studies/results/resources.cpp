@@ -17,10 +17,10 @@ namespace ff::studies {
 namespace {
 
 constexpr std::uint64_t program = 30ULL << 20;  // code, libraries, the scene, the reports as they are written
-constexpr std::uint64_t bytes_of_a_row = 30;    // of an observation in the store, keys and page overhead included
+constexpr std::uint64_t bytes_of_a_row = 30;    // an observation in the store, with keys and page overhead
 constexpr double seconds_of_a_row = 3e-6;       // two thirds to save it, one to read and evaluate it
-constexpr std::uint64_t bytes_of_a_line = 100;  // of trials.csv, while it is made
-constexpr double seconds_of_a_draw = 6e-9;      // of one trial into a resample of a ladder, for each pair of faces
+constexpr std::uint64_t bytes_of_a_line = 100;  // a line of trials.csv, while it is made
+constexpr double seconds_of_a_draw = 6e-9;      // one trial drawn into a resample of a ladder, for each pair of faces
 constexpr double seconds_of_a_group = 8e-6;     // a trial of a pair in intervals by all rules, for [coverage]
 // Processor time of `report` with 65 536 and 4096 patches per face of a cube, and a grid of 1024 x 1024: 1.7 to 2.6.
 constexpr double seconds_of_a_patch_factor = 2.5e-6;  // exact, from a patch to a surface

@@ -45,7 +45,7 @@ void MeasuredCosts::add(const RunProgress& progress) {
 }
 
 std::string MeasuredCosts::in_words() const {
-    std::map<std::pair<std::size_t, std::uint64_t>, MeasuredCost> sums;  // by method and size
+    std::map<std::pair<std::size_t, std::uint64_t>, MeasuredCost> sums;  // keys: method and size
     for (std::size_t i = 0; i < of_cells_.size(); ++i) {
         const Cell& cell = plan_.cells[i];
         const bool is_known = find_added_estimator(plan_.spec.methods[cell.method].estimator) == nullptr;

@@ -37,7 +37,7 @@ class MeasuredCosts {
     /// mine at 256: 0.124 s" by method and size, over all scenes and patches; empty where nothing was measured.
     [[nodiscard]] std::string in_words() const;
 
-    /// For a Context: entries "KEY:TRIALS:SECONDS:SQUARES", separated by "; " like the values of several runs, which
+    /// The entries for a Context, "KEY:TRIALS:SECONDS:SQUARES", separated by "; " like values of several runs, which
     /// all count. KEY is the key of the cell's random numbers, with the tracer if one is chosen. Empty where nothing
     /// was measured.
     [[nodiscard]] std::string in_context() const;

@@ -39,7 +39,7 @@ struct CommonTrials {
     std::uint64_t wanted = 0;       ///< total of this study
 };
 
-/// For an adaptive study, the pilots only: the study itself decides how many trials follow.
+/// Finds the shared trials; of an adaptive study the pilots only, since it decides itself how many trials follow.
 CommonTrials common_trials(const Store& stored, const StudyPlan& plan);
 
 /// Adds the shared trials to a new store of the study; units that were begun are completed.

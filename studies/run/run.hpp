@@ -14,7 +14,7 @@ namespace ff::studies {
 struct RunProgress {
     std::size_t units_done = 0;
     std::size_t units = 0;
-    double expected_seconds_done = 0;  ///< on one core, by the plan's cost table
+    double expected_seconds_done = 0;  ///< seconds on one core, by the plan's cost table
     double expected_seconds = 0;
     std::uint64_t evaluations = 0;         ///< evaluations in this run
     std::size_t unit = 0;                  ///< the last saved unit

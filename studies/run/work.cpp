@@ -18,7 +18,7 @@ namespace ff::studies {
 namespace {
 
 /// Whether a pair of faces is observed: of a face with itself only where it sees itself.
-using Observed = std::vector<bool>;  // by face
+using Observed = std::vector<bool>;  // one for each face
 
 void add_matrix(const Eigen::MatrixXd& values, std::string_view observable, const Observed& with_itself,
                 std::uint64_t trial, UnitRecord& record) {

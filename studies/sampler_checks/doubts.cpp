@@ -16,7 +16,7 @@
 namespace ff::studies {
 namespace {
 
-constexpr std::uint64_t least_points = 32;  // of fewer, sound samplers fill slices partly
+constexpr std::uint64_t least_points = 32;  // with fewer, sound samplers fill slices partly
 constexpr std::uint64_t misfits = 4;        // slices without one point that one or two wrong points leave
 constexpr std::uint64_t near_a_power = 8;   // sequences nearly fill as many slices at these sizes
 constexpr std::uint64_t least_for_shift = 5;
@@ -63,7 +63,7 @@ std::optional<SamplerCheck> nearly_latin(const StructureEvidence& evidence) {
                     worst, n, coordinate, broken, evidence.sets.size())};
 }
 
-/// In every set a shift modulo 1 would make every coordinate fill its slices, and without it some do not. For
+/// Finds that in every set a shift modulo 1 would make all coordinates fill their slices, but some do not. For
 /// independent points the probability of this is below n! / n^(n - 1), 1e-11 for 32 points. At sizes that are not a
 /// power of two it also holds for a lattice in base 2, such as one of 96 = 64 + 32 points.
 std::optional<SamplerCheck> shifted_slices(const StructureEvidence& evidence) {
@@ -82,7 +82,7 @@ std::optional<SamplerCheck> shifted_slices(const StructureEvidence& evidence) {
                                     n, evidence.sets.size() - whole, evidence.sets.size())};
 }
 
-/// In every set no two points share one of a few more than n slices, in any coordinate: for independent points the
+/// Finds that in no set and coordinate two points share one of a few more than n slices: for independent points the
 /// probability of that is below 1e-10 with 32 points and 36 slices.
 std::optional<SamplerCheck> part_of_latin(const StructureEvidence& evidence) {
     const std::uint64_t n = evidence.drawn.points;
@@ -110,7 +110,7 @@ std::optional<SamplerCheck> partly_random(const StructureEvidence& evidence, std
     const auto trials = static_cast<double>(evidence.trials);
     const SliceCounts& counts = evidence.slices[d];
     const double fine = counts.shared / ((n - 1) / 2);
-    const double z = (1 - fine) * std::sqrt(trials * n / 2);  // of independent points, standard normal
+    const double z = (1 - fine) * std::sqrt(trials * n / 2);  // standard normal for independent points
     if (stats::normal_tail(z) > false_doubts / (3 * static_cast<double>(evidence.drawn.dimension))) return std::nullopt;
     if (fine > 0.9 || fine == 0) return std::nullopt;
     // Sequences vary by a point or so in either half, which is little, but may be as little as what is shared.
@@ -126,7 +126,7 @@ std::optional<SamplerCheck> partly_random(const StructureEvidence& evidence, std
                     d, counts.shared, evidence.drawn.points, (n - 1) / 2, 100 * (1 - std::sqrt(1 - fine)))};
 }
 
-/// In every set: a shift that happens to be harmless for the digits of one is not a fault.
+/// Looks at every set: a shift that happens to be harmless for the digits of one is not a fault.
 std::optional<SamplerCheck> shifted_net(const StructureEvidence& evidence) {
     if (evidence.drawn.sets < least_for_shift) return std::nullopt;
     std::uint32_t before = 0;
@@ -224,7 +224,7 @@ struct CommonValues {
 
 CommonValues common_values(const StructureEvidence& evidence, std::size_t d) {
     const samplers::PointSet& drawn = evidence.drawn;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> values;  // with their set
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> values;  // each value with its set
     for (std::uint32_t set = 0; set < drawn.sets; ++set) {
         for (const std::uint32_t x : drawn.row(set, d)) values.emplace_back(x, set);
     }

@@ -9,7 +9,7 @@
 namespace ff::studies {
 namespace {
 
-constexpr double plane_at = 0.475;  // of the dimension: where the plane lies
+constexpr double plane_at = 0.475;  // sum of coordinates on the plane, over the dimension
 
 /// Volume of the part of the unit cube where the coordinates sum to less than s (Irwin and Hall).
 double volume_below(double s, std::size_t dimension) {
@@ -27,7 +27,7 @@ struct Integrands {
     double volume = volume_below(plane_at * static_cast<double>(dimension), dimension);
     double step = dimension == 1 ? 3.0 : 12.0 / 7;
 
-    /// At the middle of a cell of width 2^-32; where a step crosses the cell, at its upper end.
+    /// Values at the middle of a cell of width 2^-32; where a step crosses the cell, at its upper end.
     [[nodiscard]] std::array<double, 3> at(const std::array<std::uint32_t, max_dimension>& cell) const {
         double product = 1;
         double sum = 0;

@@ -26,7 +26,7 @@ struct SliceCounts {
 
 inline constexpr std::uint64_t most_for_slices = 1u << 16;
 
-/// What the checks need from every trial.
+/// The data that the checks need from every trial.
 struct DrawnTrials {
     std::vector<std::array<std::uint32_t, max_dimension>> picked;   ///< a point picked at random from each set
     std::array<std::vector<double>, integrand_names.size()> means;  ///< [function]: its mean over each set

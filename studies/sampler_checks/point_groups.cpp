@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t most_origins = 1024;  // points that are each tried as the origin
 constexpr std::uint64_t least_for_net = 16;   // fewer points form groups too easily
-constexpr std::uint32_t half_step = 1u << 7;  // of 2^-24, the digits that are looked at
+constexpr std::uint32_t half_step = 1u << 7;  // half of 2^-24, the last digit that is looked at
 constexpr std::uint32_t digits_seen = ~(2 * half_step - 1);
 
 /// Multiples of 1/n modulo 1, one a coordinate.

@@ -24,11 +24,11 @@ namespace {
 using samplers::SamplerInfo;
 
 // Effects that must not be missed.
-constexpr double worst_deviation = 0.1;    // of the cells' probabilities, root mean square, relative
-constexpr double worst_bias = 0.03;        // of an integral
-constexpr double worst_correlation = 0.5;  // of successive trials
+constexpr double worst_deviation = 0.1;    // relative deviation of cells' probabilities, root mean square
+constexpr double worst_bias = 0.03;        // bias of an integral
+constexpr double worst_correlation = 0.5;  // correlation of successive trials
 
-constexpr double rounding_of_means = 1e-9;  // of coordinates to 32 bits, and of sums
+constexpr double rounding_of_means = 1e-9;  // rounding of coordinates to 32 bits, and of sums
 
 SamplerCheck same_bits(const samplers::CatalogueEntry& sampler, const samplers::PointSetSpec& spec, StreamKey key) {
     const auto once = sampler.make(spec);

@@ -10,7 +10,7 @@
 
 namespace ff::studies {
 
-/// What to check, and both risks of all statistical checks together.
+/// The subject of a check, and both risks of all statistical checks together.
 struct SamplerCheckRequest {
     std::uint64_t points = 0;
     std::size_t dimension = max_dimension;

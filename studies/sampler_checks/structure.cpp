@@ -25,7 +25,7 @@ std::uint64_t count_singles(const samplers::PointSet& set, std::uint64_t which, 
     return most;
 }
 
-/// For each point the first point with the same value.
+/// The first point with the same value, for each point.
 std::vector<std::uint32_t> first_with_value(std::span<const std::uint32_t> row) {
     std::vector<std::uint32_t> order(row.size());
     std::iota(order.begin(), order.end(), 0u);

@@ -58,7 +58,7 @@ struct EvennessOfSet {
     std::optional<std::uint32_t> t_value;       ///< empty unless the number of points is a small power of the base
     std::optional<double> l2_star_discrepancy;  ///< empty for more than `most_quadratic` points
     std::optional<double> centred_discrepancy;  ///< likewise
-    double largest_gap = 0;                     ///< on any axis
+    double largest_gap = 0;                     ///< widest gap between neighbours on any axis
 };
 
 inline constexpr std::uint64_t most_quadratic = 1u << 14;

@@ -18,7 +18,7 @@ namespace ff::studies {
 namespace {
 
 constexpr std::uint64_t most_sets = 100;
-constexpr std::uint64_t usual_points = 1u << 19;  // of all sets that are drawn
+constexpr std::uint64_t usual_points = 1u << 19;  // points of all drawn sets together
 
 /// Slices, of n, that hold one of n independent points, on average.
 double random_singles(std::uint64_t n) {

@@ -22,7 +22,7 @@ struct SamplerCheck {
 
 /// Whole sets of a sampler, and what was counted over all trials.
 struct StructureEvidence {
-    samplers::PointSet drawn;         ///< at least one set
+    samplers::PointSet drawn;         ///< the points of one set at least
     std::vector<SetStructure> sets;   ///< structure of each drawn set
     std::uint32_t base = 2;           ///< base in which t-values are computed
     bool randomised = true;           ///< sets are independent
@@ -37,7 +37,7 @@ inline constexpr double false_doubts = 1e-6;
 StructureEvidence draw_structure(const PointSource& source, std::size_t dimension, StreamKey key, std::uint64_t trials,
                                  std::uint32_t base);
 
-/// What the sets look like, compared with random points: only notes.
+/// Describes the sets in comparison with random points: only notes.
 std::vector<SamplerCheck> describe(const StructureEvidence& evidence);
 
 /// Too few different values: inconclusive where neither chance nor origins that consecutive points share explain them,

@@ -298,7 +298,7 @@ void SceneBuilder::cut_out_covered_parts(std::vector<FaceMaterial>* materials) {
     if (materials != nullptr) *materials = std::move(kept_materials);
 }
 
-/// With the number of polygons for each kind of change, and the first lines.
+/// Remarks on the number of polygons for each kind of change, with their first lines.
 void SceneBuilder::remark_on_changes() {
     constexpr std::size_t most_named = 3;
     for (std::size_t kind = 0; kind < changes_.size(); ++kind) {

@@ -94,7 +94,7 @@ void add_winding(const Scene& scene, SceneDoubts& doubts) {
 void add_overlaps(const Scene& scene, SceneDoubts& doubts) {
     const Placement placement = placement_of(scene);
     const Scene where = placed(scene, placement);
-    std::map<std::tuple<bool, int, int>, double> areas;  // by whether they face the same way, and the two faces
+    std::map<std::tuple<bool, int, int>, double> areas;  // keys: whether they face the same way, and the two faces
     for (const LevelOverlap& overlap : level_overlaps(where)) {
         if (!overlap.level) {
             add_near(scene, overlap, doubts);
@@ -162,7 +162,7 @@ void add_resolution(const Scene& scene, SceneDoubts& doubts) {
 
 /// Coordinates with so few digits that faces are not where they were meant.
 void add_rounding(const Scene& scene, SceneDoubts& doubts) {
-    constexpr double too_much = 0.01;  // as a share of a face's size
+    constexpr double too_much = 0.01;  // share of a face's size
     std::vector<std::size_t> small;
     for (std::size_t face = 0; face < scene.faces.size(); ++face) {
         if (scene.coordinate_rounding > too_much * std::sqrt(face_area(scene, static_cast<int>(face))))

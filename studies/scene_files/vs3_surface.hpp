@@ -45,8 +45,8 @@ struct Vs3Shape {
 
 /// How a part fits the base that it lies on.
 struct FitOnBase {
-    std::string problem;  ///< as a verb and what goes before the base's name; empty: none
-    std::string reason;   ///< in brackets, with a blank before it; empty where there is nothing to add
+    std::string problem;  ///< a verb and what goes before the base's name; empty: none
+    std::string reason;   ///< text in brackets after a blank; empty where there is nothing to add
     double off = 0;       ///< how far it was moved, or cut off; 0: it is unchanged
 };
 
@@ -65,7 +65,7 @@ double size_of(const ConvexPolygon& corners);
 /// Whether two parts of a base overlap.
 bool overlap(const Vs3Surface& base, const Vs3Surface& a, const Vs3Surface& b);
 
-/// What remains of a surface beside the parts that lie on it, in convex pieces; without parts the surface itself,
+/// The rest of a surface beside the parts that lie on it, in convex pieces; without parts the surface itself,
 /// convex or not.
 std::vector<ConvexPolygon> left_of_base(const Vs3Surface& base, const std::vector<const Vs3Surface*>& parts);
 

@@ -15,7 +15,7 @@ struct ConvergenceRequest {
     std::vector<std::string> scenes{"cube"};
     std::vector<std::string> samplers;
     std::string estimator = "ray_shooting";
-    std::string samples_per_patch = "2^6..2^16";  ///< per patch, as in a study file
+    std::string samples_per_patch = "2^6..2^16";  ///< written as in a study file
     std::uint32_t patches_per_face = 1;
     std::optional<std::string> allocation;  ///< empty: a study file's default
     std::optional<std::string> completion;

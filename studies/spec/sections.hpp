@@ -56,12 +56,12 @@ inline constexpr auto names_of<StoppingGoal> = name_table(Named{StoppingGoal::rm
 /// determines the total number, at most the study's `trials`.
 struct StoppingRule {
     StoppingGoal goal = StoppingGoal::rmse;
-    double target = 0;         ///< in units of the form factor, > 0
+    double target = 0;         ///< RMSE or half-width to reach, in units of the form factor, > 0
     std::uint64_t pilot = 30;  ///< trials of the first round, at least `fewest_pilot_trials`
     auto operator<=>(const StoppingRule&) const = default;
 };
 
-/// With fewer trials, the pilot's spread tells too little, and no mean squared error could be promised.
+/// The spread of a shorter pilot tells too little, and no mean squared error could be promised.
 inline constexpr std::uint64_t fewest_pilot_trials = 5;
 
 /// [until] of a study file. @param trials  the study's, which bound the pilot

@@ -102,7 +102,7 @@ struct StudySpec {
     Seed seed;
     double level =
         0.95;  ///< coverage of every interval, and 1 - the family-wise error rate of the bias tests; in (0.5, 1)
-    double power = 0.9;                        ///< at which minimum detectable biases are stated; in [0.5, 1 - 1e-9]
+    double power = 0.9;                        ///< power of minimum detectable biases, in [0.5, 1 - 1e-9]
     std::optional<double> equivalence_margin;  ///< |bias| is to be shown smaller than this, in units of the form factor
     std::vector<Method> methods;
     std::optional<StoppingRule> until;    ///< rule of an adaptive study, whose `trials` is an upper limit

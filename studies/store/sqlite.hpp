@@ -103,10 +103,10 @@ class Database {
 /// network file systems do not offer; a fully synchronised rollback journal works everywhere.
 enum class Journal { write_ahead, rollback };
 
-/// By the type that statfs(2) names: a rollback journal on network and user-space file systems.
+/// Chooses by the type that statfs(2) names: a rollback journal on network and user-space file systems.
 Journal journal_for(std::uint64_t file_system_type);
 
-/// For files in this folder. @throws IoError where the system does not tell
+/// The journal for files in this folder. @throws IoError where the system does not tell
 Journal journal_in(const std::filesystem::path& folder);
 
 }  // namespace ff::studies

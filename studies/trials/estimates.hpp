@@ -74,7 +74,7 @@ class CellReader {
 
     [[nodiscard]] const Store& store() const { return *store_; }
     [[nodiscard]] const StudyPlan& plan() const { return store_->plan(); }
-    /// As load_estimates. @throws IoError
+    /// The cell's estimates as `load_estimates` gives them. @throws IoError
     [[nodiscard]] std::shared_ptr<const CellEstimates> load(std::size_t cell) const;
 
   private:

@@ -17,7 +17,7 @@
 
 namespace ff::studies::gates {
 
-using studies::name;  // of enumerations that have names in files
+using studies::name;  // names of enumerators in files
 
 /// Limits of bands, references and estimates: their fourth powers do not overflow.
 inline constexpr double largest_magnitude = 1e75;

@@ -22,7 +22,7 @@ struct Band {
 struct Levels {
     double fail_alpha = 1e-4;  ///< risk of calling an effect outside that lies inside; two-sided, already shared
     double pass_alpha = 0.05;  ///< risk of calling an effect inside that lies at or beyond one end of the band
-    double power = 0.9;        ///< at which minimum detectable effects are stated
+    double power = 0.9;        ///< power of minimum detectable effects
 
     /// Levels of the two intervals of a measurement.
     [[nodiscard]] double of_passing() const { return 1 - 2 * pass_alpha; }

@@ -81,7 +81,7 @@ class RoundSource {
     Eigen::Vector2d size_ = Eigen::Vector2d::Zero();
 };
 
-/// What is seen of the target from a place, and what is hidden of it.
+/// The parts of the target that a place sees and that are hidden from it.
 enum Side : std::uint8_t { visible, hidden };
 using Factors = std::array<double, 2>;
 
@@ -97,8 +97,8 @@ struct Cell {
     double change = 0;
     std::uint32_t places = 1;  ///< random places in each randomisation
 
-    /// What random places may miss, where they may miss a share u of it, is at most this times u^(3/2), and for
-    /// three times the share (docs/statistics.md); and where it jumps, at most `jumps` times u.
+    /// If random places miss a share u, what lies there is at most this times u^(3/2), at levels up to three times that
+    /// share as well (docs/statistics.md); where the factor jumps, at most `jumps` times u.
     [[nodiscard]] double missed_smoothly(double u) const {
         return u < 1 ? change / (1 - std::sqrt(u)) : std::numeric_limits<double>::infinity();
     }

@@ -21,7 +21,7 @@ struct CellSum {
 /// The exchange area of a pair of faces by Gauss's rule in cells of the source (`DividedSource`). Random places in each
 /// cell measure what the interpolant that the rule integrates leaves of the factor, so that the estimate is unbiased
 /// whatever the factor does. The visible part is integrated or the hidden one, whichever is smoother.
-/// @param pairs  all @param pair  of surfaces of which one at least is a polygon, past polygons (FacePair::by_cells)
+/// @param pairs  all of them @param pair  polygons on one side at least, past polygons (FacePair::by_cells)
 CellSum cell_sum(const Scene& scene, const FacePairs& pairs, const FacePair& pair, const CellLimits& limits,
                  StreamKey key);
 

@@ -42,7 +42,7 @@ class DividedSource {
     [[nodiscard]] bool is_cut() const { return !bounds_; }
     [[nodiscard]] bool is_fine_enough() const { return is_fine_enough_; }
 
-    /// What the interpolant leaves of the factor at a place, times the area that the place stands for.
+    /// The factor at a place less the interpolant, times the area that the place stands for.
     [[nodiscard]] Factors left_at(const Cell& cell, const CellFactors::RandomPlace& place, Factors found) const;
 
   private:

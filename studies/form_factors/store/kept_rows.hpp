@@ -35,7 +35,7 @@ class KeptRows {
     Database database_;
 };
 
-/// What such a file belongs to: the source of the scene, and the request. @throws UserError, IoError
+/// The matrix that a file of kept rows belongs to: the source of its scene, and its request. @throws UserError, IoError
 std::pair<SceneSource, Request> matrix_of_kept_rows(const std::filesystem::path& file);
 
 }  // namespace ff::studies::form_factors

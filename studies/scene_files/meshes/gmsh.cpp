@@ -67,7 +67,7 @@ class GmshReader {
     NumberType size_type_{NumberType::Kind::natural, 8};
     GmshSurfaces surfaces_;
     std::unordered_map<std::int64_t, std::int64_t> points_;  ///< points by the tag of the node
-    std::unordered_map<std::int64_t, std::vector<std::int64_t>> physical_of_surface_;  ///< by tag
+    std::unordered_map<std::int64_t, std::vector<std::int64_t>> physical_of_surface_;  ///< keys: tags
 
     void read_section(const std::string& name) {
         if (name == "$MeshFormat") {

@@ -75,7 +75,7 @@ class GmshSurfaces {
         std::int64_t number = 0;
         std::int64_t surface = 0;
         Nodes corners;                       ///< counter-clockwise from the side that radiates
-        std::vector<std::int64_t> physical;  ///< above 0; empty: none
+        std::vector<std::int64_t> physical;  ///< tags of physical surfaces, above 0; empty: none
     };
 
     std::unordered_map<std::int64_t, std::string> names_;  ///< names of physical surfaces, by tag

@@ -29,7 +29,7 @@ struct NumberType {
 struct NumberTypeNames {
     NumberType type;
     std::string_view ply;
-    std::string_view vtk_legacy;  ///< in capitals
+    std::string_view vtk_legacy;  ///< names in capitals
     std::string_view vtk_xml;
 };
 
@@ -48,11 +48,11 @@ class MeshInput {
     /// A part of a file that is stored in another form. @param name  of file and part, which is all that messages state
     static MeshInput part(std::string_view name, std::string_view bytes, Encoding encoding);
 
-    /// From here on, numbers are encoded in this way; lines and words can still be read.
+    /// Reads numbers in this encoding from here on; lines and words can still be read.
     void set_encoding(Encoding encoding) { encoding_ = encoding; }
     [[nodiscard]] Encoding encoding() const { return encoding_; }
 
-    /// What is being read, for messages.
+    /// Names the part that is being read, for messages.
     void set_section(std::string_view section) { section_ = section; }
 
     /// Whether nothing follows but blanks.

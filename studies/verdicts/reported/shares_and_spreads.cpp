@@ -41,7 +41,7 @@ void expect_binomial_scatter(BinComparison& comparing, const Bins& bins) {
                          bins.runs, bins.file->origin, together));
 }
 
-/// What the share of a bin is compared with: the gate's number, or this bin of a second file, which may hold hits, or
+/// The reference of a bin's share: the gate's number, or this bin of a second file, which may hold hits, or
 /// means with or without errors.
 stats::ShareReference share_reference(const Gate& gate, const Bins* against, std::size_t bin) {
     stats::ShareReference reference;
