@@ -38,7 +38,7 @@ def same(n, d, seed, trial):
     return points(n, d)
 )";
 
-/// On a thread of ours, as studies call functions.
+/// Runs work on a thread of ours, as studies call functions.
 template <class Work>
 void run_beside_python(Work work) {
     const py::gil_scoped_release released;

@@ -11,7 +11,7 @@ using namespace ff;
 void register_sampler(const samplers::CatalogueEntry& sampler, std::uint64_t points) {
     [[maybe_unused]] const samplers::PointSetSpec spec{.points = points, .source_nodes = 5, .target_nodes = 5};
     const std::string name = "samplers/" + std::string(sampler.info.name) + "/" + std::to_string(points);
-#ifndef __clang_analyzer__  // which does not see that the library keeps what is registered
+#ifndef __clang_analyzer__  // it does not see that the library keeps what is registered
     benchmark::RegisterBenchmark(name.c_str(), [&sampler, spec](benchmark::State& state) {
         const auto source = sampler.make(spec);
         if (sampler.info.equal_weights) {

@@ -103,7 +103,7 @@ std::string broken_into_lines(const std::string& text, std::size_t width) {
     return out;
 }
 
-/// What a reader is told of an option.
+/// The words that describe an option to a reader.
 struct OptionWords {
     std::string value;  ///< " DIR", " N ..."; empty for a flag and for arguments
     std::string description;

@@ -51,9 +51,9 @@ inline std::vector<std::string> command_names(const ProgramModel& program) {
     return names;
 }
 
-/// What a command line asks for.
+/// The request of a command line.
 struct ParsedCommandLine {
-    const CommandDefinition* command = nullptr;  ///< whose options are filled in; null: only the text is asked for
+    const CommandDefinition* command = nullptr;  ///< the one whose options are filled in; null: only text is asked for
     std::string text;                            ///< what --help, --version or no command at all prints
 };
 

@@ -8,7 +8,7 @@
 
 namespace ff::app {
 
-/// What is wrong with a command line, in the form of every other message: problem (why). Suggestion.
+/// Says what is wrong with a command line in the form of every other message: problem (why). Suggestion.
 struct UsageProblems {
     const ProgramModel& program;
     const CommandModel* command;  ///< the command that was given; null where there is none

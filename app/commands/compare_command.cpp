@@ -43,7 +43,7 @@ std::array<std::string, 2> names_of_folders(const std::filesystem::path& first, 
     return {end_a.string(), end_b.string()};
 }
 
-/// What is compared: a run, or one of its methods.
+/// One side of a comparison: a run, or one of its methods.
 struct Side {
     std::filesystem::path results;
     std::string method;  ///< empty: all

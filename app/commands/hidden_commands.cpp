@@ -121,7 +121,7 @@ Completions complete(const ProgramModel& program, Words words, const NamesOfType
     return completions;
 }
 
-/// For the scripts in app/completion/: a line for each word, "text<tab>summary", then ":files" or ":folders".
+/// The completions for scripts in app/completion/: lines "text<tab>summary", then ":files" or ":folders".
 std::string in_lines(const Completions& completions) {
     std::string lines;
     for (const auto& [name, summary] : completions.words) lines += fmt::format("{}\t{}\n", name, summary);

@@ -157,7 +157,7 @@ std::vector<std::string> names_of_kind(const ListedKind& kind) {
     return names;
 }
 
-/// For each kind, the number of things and the first few names; then how to see more.
+/// Prints the number of things of each kind and the first few names; then how to see more.
 void print_kinds() {
     constexpr std::size_t shown = 3;
     for (const ListedKind& kind : listed_kinds()) {

@@ -42,7 +42,7 @@ struct RunCommand {
     std::optional<std::string> until;  ///< "rmse=1e-5" or "ci=1e-5"
     std::optional<double> level;
     OutsideOptions outside;
-    std::filesystem::path study_file;  ///< that the study is written to; empty: none
+    std::filesystem::path study_file;  ///< file that the study is written to; empty: none
 };
 
 /// The validated request of a run command; nothing has been written yet.

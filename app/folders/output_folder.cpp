@@ -125,7 +125,7 @@ void OutputFolder::leave() const {
     }
 }
 
-/// Only in folders to which results are written: others may belong to other runs.
+/// Cleans only folders to which results are written: others may belong to other runs.
 void OutputFolder::clean() const {
     std::set<std::filesystem::path> folders{path_};
     for (const auto& [name, owner] : owners_) folders.insert((path_ / name).parent_path());

@@ -19,7 +19,7 @@ namespace ff::app {
 class OutputFolder {
   public:
     /// Creates it, with its parents. @param owner what its files belong to: "check", or a study
-    /// @param files  that will be written, as for `expect_own`
+    /// @param files  files that will be written, as for `expect_own`
     /// @throws IoError where it cannot be made, or another process writes there
     OutputFolder(std::filesystem::path path, std::string owner, const std::vector<std::string>& files = {});
     ~OutputFolder();

@@ -50,7 +50,7 @@ bool is_folder_of_study(const std::filesystem::path& study);
 /// The store of a run, given as its folder or as the store itself.
 std::filesystem::path store_of(const std::filesystem::path& results);
 
-/// That store, open to read; warns where it has no checksums. @throws UserError, IoError
+/// Opens the store of a run to read; warns where it has no checksums. @throws UserError, IoError
 studies::Store open_results(const std::filesystem::path& results);
 
 /// Every file that `write_results` may write in the usual formats.

@@ -28,13 +28,13 @@ class Processes {
     /// Every process calls this once, and all receive what the leader passes.
     std::vector<bool> share_finished(std::vector<bool> finished) const;
 
-    /// For processes other than the leader: does `work`, which sends messages, and returns when the leader has all
-    /// messages of all processes. While it works, a request to stop here (app/process/signals.hpp) is passed on to all
-    /// processes.
+    /// Called by processes other than the leader: does `work`, which sends messages, and returns when the leader has
+    /// all messages of all processes. While it works, a request to stop here (app/process/signals.hpp) is passed on to
+    /// all processes.
     void assist(const std::function<void()>& work) const;
     void send(std::span<const std::uint64_t> message) const;
-    /// For the leader: delivers what the others send, until all have finished or `deliver` returns false, and passes
-    /// requests to stop on to all of them. The only thread that communicates while it runs.
+    /// Called by the leader: delivers what the others send, until all have finished or `deliver` returns false, and
+    /// passes requests to stop on to all of them. The only thread that communicates while it runs.
     void receive(const std::function<bool(std::span<const std::uint64_t>)>& deliver) const;
 
   private:

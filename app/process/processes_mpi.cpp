@@ -29,7 +29,7 @@ void pause() {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-/// For a process other than the leader: receives a message of the leader. @return false when it is the last one
+/// Called by processes other than the leader: receives a message of the leader. @return false when it is the last one
 bool listen(std::mutex& talking, bool& told) {
     const std::lock_guard lock(talking);
     if (stop_flag() && !std::exchange(told, true)) tell(leader, asked_to_end);

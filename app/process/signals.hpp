@@ -13,11 +13,11 @@ void receive_signals();
 /// The message printed then; none where nothing was begun.
 void end_on_signals(std::string words);
 
-/// For work that is worth saving: the first signal only sets the flag, a second ends the program.
+/// Used around work that is worth saving: the first signal only sets the flag, a second ends the program.
 /// @param words  printed to stderr by the first
 void stop_gracefully_on_signals(std::string words = {});
 
-/// For a process that another one waits for: signals only set the flag and never end the program.
+/// Used in a process that another one waits for: signals only set the flag and never end the program.
 void never_end_on_signals();
 
 /// Whether a graceful stop is requested.
@@ -41,7 +41,7 @@ class OnEnd {
     std::function<void()> action_;
 };
 
-/// At the end of main: an earlier signal decides the exit code, a later one has no effect.
+/// Called at the end of main: an earlier signal decides the exit code, a later one has no effect.
 void close_to_signals();
 
 /// Makes a file that exceeds the system's limit fail as on a full disk, and a pipe without a reader as a closed file,

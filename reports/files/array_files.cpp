@@ -21,7 +21,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-/// What stands before the numbers of an array in NumPy's format, version 1.0. @param fortran_order, shape  as Python
+/// The header before the numbers of an array in NumPy's format, version 1.0. @param fortran_order, shape  as Python
 /// writes them
 std::string npy_header(std::string_view type, std::string_view fortran_order, std::string_view shape) {
     constexpr std::size_t before = 10;  // magic, version, length of the header

@@ -22,7 +22,7 @@ constexpr std::uint32_t most_patches = 2000;
 struct MatrixPlace {
     const TakeMatrix& take;
     std::string folder;
-    std::string label;  ///< at the end of every comment
+    std::string label;  ///< end of every comment
 
     void put(const std::string& name, const Eigen::MatrixXd& matrix, std::string_view what) const {
         take(folder + name, matrix, fmt::format("{}, {}", what, label));

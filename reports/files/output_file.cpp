@@ -50,7 +50,7 @@ class FileBuffer : public std::streambuf {
     std::array<char, 1 << 16> bytes_{};
 };
 
-/// What messages of others who fill the file say; short enough for a longer name to be made of it.
+/// The file's name within that of its temporary, for messages of libraries that fill it; cut to leave room for more.
 std::string shown_name(const std::filesystem::path& file) {
     constexpr std::size_t most_bytes = 100;
     return file.filename().string().substr(0, most_bytes);

@@ -102,7 +102,7 @@ Json pairs_view(const studies::StudyResults& results) {
     return cells;
 }
 
-/// What readers can choose in place of a picture, with the picture itself; empty where there is no choice.
+/// The pictures that readers can choose from in place of one, which is among them; empty without a choice.
 std::string alternatives_of(const Picture& picture) {
     if (picture.alternatives.empty()) return {};
     Json all = Json::array();
@@ -209,7 +209,7 @@ PagePictures pictures_of_page(const studies::StudyResults& results) {
 /// those of the last single methods, distributions and patches, then the last of all methods together. @return whether
 /// any was
 bool leave_out(PagePictures& page, std::size_t bytes) {
-    constexpr std::size_t markup = 800;  // of a picture, beside its texts
+    constexpr std::size_t markup = 800;  // bytes of a picture's markup, beside its texts
     const auto is_large = [](const Picture& picture) {
         return picture.kind == "qq" || picture.kind == "histogram" || picture.kind == "cube";
     };

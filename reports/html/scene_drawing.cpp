@@ -56,7 +56,7 @@ Line ring(const SurfaceMap& map, double s) {
     return line;
 }
 
-/// From one rim of a round surface to the other.
+/// A line from one rim of a round surface to the other.
 Line spoke(const SurfaceMap& map, double t, int steps) {
     Line line;
     for (int i = 0; i <= steps; ++i) line.push_back(project(map.at(i / static_cast<double>(steps), t).position));

@@ -24,7 +24,7 @@ namespace {
 using Eigen::Vector3d;
 constexpr std::size_t most_polygons = 30'000;
 constexpr std::size_t most_matrix_rows = 300;
-constexpr int facet_rings = 8;  // on a round surface
+constexpr int facet_rings = 8;  // rings of facets on a round surface
 constexpr int facets_per_ring = 24;
 
 void add_polygon(Json& polygons, int face, const std::vector<Vector3d>& corners) {

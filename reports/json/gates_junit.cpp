@@ -52,7 +52,7 @@ std::string junit_xml(const studies::gates::CheckResults& check, const JunitCont
         set(property, "name", key);
         set(property, "value", value);
     }
-    std::string console;  // of the whole suite: Ant's schema lets no test case have an output of its own
+    std::string console;  // output of the whole suite: Ant's schema lets no test case have its own
     for (const studies::gates::Gate& gate : check.spec.gates) {
         const auto found =
             std::find_if(check.results.begin(), check.results.end(),

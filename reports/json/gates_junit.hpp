@@ -7,7 +7,7 @@
 
 namespace ff::reports {
 
-/// What a JUnit file contains besides the verdicts; callers read the clock.
+/// The parts of a JUnit file besides the verdicts; callers read the clock.
 struct JunitContext {
     std::string timestamp;  ///< when the check started, as 2026-11-20T16:30:00
     std::string hostname;

@@ -27,7 +27,7 @@ Json in_cell(const studies::StudyPlan& plan, std::size_t cell, const Json& recor
 /// Whether values that rest on measured times, which differ from run to run, are shown, or the others.
 enum class Timed { no, yes };
 
-/// What results.json has at these keys; null where the study has none.
+/// The records at these keys of results.json; null where the study has none.
 Json until_json(const studies::StudyResults& results);
 Json heavy_tails_json(const studies::StudyResults& results);
 Json coverage_json(const studies::StudyResults& results);

@@ -311,7 +311,7 @@ std::vector<NamedText> latex_report(const studies::StudyResults& results, const 
     Json names = Json::array();
     std::set<std::string> taken;
     for (Table table : tables_of(results)) {
-        const std::string id = slug(table.id);  // that of a published table may be any text
+        const std::string id = slug(table.id);  // the id of a published table may be any text
         table.id = id;
         for (int number = 2; table.id.empty() || !taken.insert(table.id).second; ++number)
             table.id = fmt::format("{}-{}", id.empty() ? "table" : id, number);

@@ -6,7 +6,7 @@
 
 namespace ff::reports {
 
-/// What `ffstudy enclosure` prints, in Markdown: exact factors, exact solutions, and the effect of rays on them.
+/// The output of `ffstudy enclosure`, in Markdown: exact factors, exact solutions, and the effect of rays on them.
 std::string enclosure_text(const studies::radiosity::EnclosureRequest& request,
                            const studies::radiosity::EnclosureResults& results);
 

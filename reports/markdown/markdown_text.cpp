@@ -28,11 +28,11 @@ bool is_markup(char before, char c, char after) {
             return true;
         case '_':
             return !in_word(before) || !in_word(after);
-        case '<':  // of a tag, a comment or a link
+        case '<':  // begins a tag, a comment or a link
             return is_letter(after) || after == '/' || after == '!' || after == '?';
-        case '&':  // of an entity
+        case '&':  // begins an entity
             return is_letter(after) || after == '#';
-        case ']':  // of a link: intervals are in brackets as well
+        case ']':  // ends the text of a link: intervals are in brackets as well
             return after == '(';
         default:
             return false;

@@ -140,7 +140,7 @@ bool MethodLines::is_in_colour(const std::string& method) const {
 }
 
 std::vector<MethodLines::Line> MethodLines::labels_apart(double low, double high) const {
-    constexpr double rows = 20;  // of text, in the height of a picture
+    constexpr double rows = 20;  // rows of text in the height of a picture
     std::vector<Line> labels = lines_;
     std::erase_if(labels, [&](const Line& line) { return !line.end || !is_in_colour(line.method); });
     const double apart = (high - low) / std::max(rows, static_cast<double>(labels.size()));

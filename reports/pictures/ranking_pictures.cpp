@@ -71,7 +71,7 @@ class RankingRows {
         values_.set("scales", std::move(scales));
         values_.set("titles", {{"x", text.axis}});
         if (text.log) values_.set("log", true);
-        constexpr std::size_t most_above_axis = 26;  // of more, the axis below is not on the first screen
+        constexpr std::size_t most_above_axis = 26;  // with more rows, the axis below is not on the first screen
         if (rows_ > most_above_axis) values_.set("tall", true);
         return {text.id,
                 "ranking",

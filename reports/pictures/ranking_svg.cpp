@@ -21,7 +21,7 @@ constexpr double axis_left = 200;  // labels stand before it
 constexpr double axis_right = ranking_width - 30;
 constexpr double row_height = 19;
 constexpr double rows_top = 10;
-constexpr double axis_height = 40;  // with its title
+constexpr double axis_height = 40;  // height with its title
 
 /// A value's place from left to right.
 class Axis {

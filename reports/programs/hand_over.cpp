@@ -56,7 +56,7 @@ void write_view3d(std::ostream& out, const HandedOn& handed) {
 
 // Fields of the object, in the names that its schema gives them. @see [energyplus]
 constexpr std::string_view view_factors_object = "ZoneProperty:UserViewFactors:BySurfaceName";
-constexpr std::string_view marks = ",;!";  // of the IDF format
+constexpr std::string_view marks = ",;!";  // punctuation of the IDF format
 constexpr std::size_t longest_name = 100;
 
 /// The name of the zone in the scene's file; otherwise the scene's name without the extension of a file.
@@ -158,7 +158,7 @@ void write_moose(std::ostream& out, const HandedOn& handed) {
     out << "'\n  []\n[]\n";
 }
 
-// For each face, of those that it sees: their factors (F), and their numbers from 0 (globalFaceFaces). @see [openfoam]
+// Per face, the factors to the faces that it sees (F), and their numbers from 0 (globalFaceFaces). @see [openfoam]
 
 using Row = studies::form_factors::Matrix::Sparse::InnerIterator;
 

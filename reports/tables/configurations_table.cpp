@@ -74,7 +74,7 @@ Table configurations_table(const studies::StudyResults& results) {
                     "the whole study. A surface that sees itself is estimated by what it sends to another.",
                     100 * plan.spec.level, 100 * (1 - plan.spec.level)),
         columns({"configuration", "method and size", ">estimate", "interval", ">exact", ">off by", "verdict"})};
-    if (!results.occlusion.empty()) return table;  // which has a table of its own
+    if (!results.occlusion.empty()) return table;  // occlusion has a table of its own
     for (const studies::ConfigurationEstimate& row : studies::configuration_estimates(results.findings)) {
         const studies::Cell& cell = plan.cells[row.found->cell];
         table.rows.push_back(

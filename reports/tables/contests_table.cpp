@@ -70,7 +70,7 @@ std::string kind_of(PairClass pair_class, bool may_be_occluded) {
     return fmt::format("{}{}", name(pair_class), may_be_occluded ? ", maybe occluded" : "");
 }
 
-/// What is equal where one table has room for one comparison.
+/// The quantity that is equal in a table with room for one comparison.
 Equal equal_for_one(const studies::StudyResults& results, bool timed) {
     const bool measured = timed && !studies::main_contests(results.contests, Equal::processor_time).empty();
     return measured ? Equal::processor_time : Equal::evaluations;

@@ -40,7 +40,7 @@ Table coverage_table(const studies::StudyResults& results);
 /// @param timed  the comparison by measured time, which differs from run to run
 Table contests_table(const studies::StudyResults& results, bool timed);
 
-/// For studies with several scenes: the best method on each kind of pairs, and in how many scenes.
+/// The best method on each kind of pairs, and in how many scenes, for studies with several scenes.
 Table decisions_table(const studies::StudyResults& results, bool timed);
 
 /// Which claims are shown: only those stated by methods or studies, or also the errors that a single run would suggest.

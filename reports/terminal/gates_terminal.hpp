@@ -10,7 +10,7 @@
 
 namespace ff::reports {
 
-/// What is checked, and with which risks.
+/// Says what is checked, and with which risks.
 std::string gates_heading(const studies::gates::Spec& spec);
 
 /// One line: verdict, gate, and the deciding comparison; another one with a picture where there are many bins.
@@ -25,7 +25,7 @@ std::string band_in_words(const studies::gates::Band& band);
 /// How many gates passed, failed and are undecided.
 std::string gates_summary(const studies::gates::CheckResults& check);
 
-/// For gates on a file of estimates: trials needed, and trials available.
+/// Trials needed and trials available, for gates on a file of estimates.
 std::string estimates_plan(const studies::gates::Spec& spec, std::span<const studies::gates::EstimatesPlan> files);
 
 /// Characters of the longest name of a gate, for the first column of tables.

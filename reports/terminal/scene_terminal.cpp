@@ -19,7 +19,7 @@ namespace {
 
 using studies::form_factors::FaceExchange;
 
-/// For scenes with more faces, the matrix is only in the files.
+/// The matrix of a scene with more faces is only in the files.
 constexpr std::size_t most_faces_of_matrix = 8;
 constexpr std::size_t most_listed = 10;
 

@@ -12,7 +12,7 @@ namespace ff::reports {
 /// Whether all pairs are within the tolerance; if not, which ones are outside.
 std::string form_factors_verdict(const FormFactorReport& report);
 
-/// For the terminal: methods with reasons, the matrix if small, row sums, pairs that miss the tolerance.
+/// Methods with reasons, the matrix if small, row sums, and pairs that miss the tolerance, for the terminal.
 std::string form_factors_text(const FormFactorReport& report, const TextStyle& style = {});
 
 /// A row per face; with more than `most` faces, those with the largest powers, as a remark says.
@@ -27,7 +27,7 @@ std::string heat_balance(const HeatReport& report);
 /// How many samples were taken where flows depend on them; empty where sampling did not depend on flows.
 std::string heat_effort(const HeatReport& report);
 
-/// For the terminal: a row per face, the balance, and its certainty.
+/// A row for each face, the balance, and its certainty, for the terminal.
 std::string heat_text(const HeatReport& report, const TextStyle& style = {});
 
 }  // namespace ff::reports

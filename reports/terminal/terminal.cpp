@@ -66,7 +66,7 @@ constexpr std::size_t at_most = 6;
 constexpr std::size_t best_of_many = 3;
 
 constexpr std::size_t widest = 56;
-constexpr std::size_t margin = 12;  // for the labels of a y axis
+constexpr std::size_t margin = 12;  // room for the labels of a y axis
 constexpr std::size_t narrowest = margin + 20;
 
 PlottedSeries plotted(const SizeSeries& series) {
@@ -137,7 +137,7 @@ std::string rmse(const studies::StudyPlan& plan, const studies::CellAnalysis& fo
     return fmt::format("{:.{}e}", *value, known ? 2 : 1);
 }
 
-/// With the scene, where there are several.
+/// The method's name, after that of the scene where there are several.
 std::string scene_and_method(const studies::StudyPlan& plan, const studies::CellAnalysis& found) {
     const studies::Cell& cell = plan.cells[found.cell];
     const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[cell.scene].name + " ";

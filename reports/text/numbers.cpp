@@ -18,7 +18,7 @@ std::string to_error(double value, double error) {
     const double size = std::abs(value);
     if (size < 1e-4 && size >= error) return fmt::format("{:.{}e}", value, magnitude(size) - magnitude(error) + 1);
     const int decimals = std::clamp(1 - magnitude(error), 0, 15);
-    const bool is_zero = size < 0.5 * std::pow(10.0, -decimals);  // which has no sign
+    const bool is_zero = size < 0.5 * std::pow(10.0, -decimals);  // zero has no sign
     return fmt::format("{:.{}f}", is_zero ? 0.0 : value, decimals);
 }
 

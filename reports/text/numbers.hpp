@@ -11,8 +11,8 @@ namespace ff::reports {
 /// The shortest decimal that reads back as the same double; empty text for no value or one that is not finite.
 std::string exact(std::optional<double> value);
 
-/// As many decimals as the error warrants: its second significant digit is the last one shown. With an error of 0, or
-/// not a number, shows eight digits. Below 1e-4 with an exponent, unless the error is larger.
+/// A value with as many decimals as its error warrants: the error's second significant digit is the last one shown, or
+/// the eighth where the error is 0 or not a number. Has an exponent below 1e-4, unless the error is larger.
 std::string to_error(double value, double error);
 
 /// A value and half the width of its interval, both to the second significant digit of the half width:
@@ -25,7 +25,7 @@ std::string brief(double value, int digits = 3);
 /// A value and the ends of its interval or range, each brief: "0.11 [0.02, 0.31]".
 std::string with_ends(double value, double low, double high, int digits = 3);
 
-/// The same, as many decimals as the error warrants: "0.502 [0.498, 0.506]".
+/// The same, with as many decimals as the error warrants: "0.502 [0.498, 0.506]".
 std::string to_error_with_ends(double value, double low, double high, double error);
 
 /// A p-value: two significant digits, "< 1e-10" below that.
@@ -37,7 +37,7 @@ std::string p_text(double p);
 /// A time: "12.3 s", "2.5 min" from 100 seconds on.
 std::string seconds_in_words(double seconds);
 
-/// With spaces between thousands, so that counts of samples can be read: "1 234 567".
+/// A number with spaces between thousands, so that counts of samples can be read: "1 234 567".
 std::string thousands_apart(std::uint64_t number);
 
 /// "1 face", "2 faces"

@@ -8,7 +8,7 @@
 
 namespace ff::reports {
 
-/// What a reader should notice about a cell.
+/// The property of a cell that a reader should notice.
 enum class Mark {
     none,
     misprint,    ///< the audit blames this printed figure

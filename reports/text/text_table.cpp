@@ -29,7 +29,7 @@ std::string_view code_of(Mark mark) {
 }
 
 constexpr std::size_t gap = 2;
-constexpr std::size_t indent = 4;  // of lines that continue a row
+constexpr std::size_t indent = 4;  // indentation of lines that continue a row
 
 /// A column as it is set.
 struct SetColumn {
@@ -49,7 +49,7 @@ std::size_t width_of(const Table& table, std::size_t i) {
 
 std::vector<SetColumn> set_columns(const Table& table, std::size_t room) {
     std::vector<SetColumn> columns;
-    std::size_t end = 0;  // of the line so far
+    std::size_t end = 0;  // width of the line so far
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const std::size_t width = width_of(table, i);
         const bool begins_line = i > 0 && end + gap + width > room;

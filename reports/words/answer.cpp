@@ -26,7 +26,7 @@ namespace {
 using studies::ConfigurationEstimate;
 using studies::StudyResults;
 
-/// With a capital and a full stop.
+/// The clause with a capital and a full stop.
 std::string as_sentence(std::string clause) {
     if (clause.front() >= 'a' && clause.front() <= 'z') clause.front() = static_cast<char>(clause.front() - 'a' + 'A');
     return clause + ".";
@@ -36,7 +36,7 @@ std::string bars(const StudyResults& results) {
     return fmt::format("Bars: {:g} % intervals.", 100 * results.findings.plan.spec.level);
 }
 
-/// What methods are ranked by, with letters for groups. The clauses say what to take; details, who comes first.
+/// The finding of rankings, with letters for groups. The clauses say what to take, the details which method is first.
 MainFinding of_rankings(const StudyResults& results, std::vector<Ranking> rankings, const Comparative& comparative,
                         MainFinding found, std::string_view ticks) {
     const studies::StudyPlan& plan = results.findings.plan;
@@ -243,7 +243,7 @@ std::size_t words_of(std::string_view text) {
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), ' ')) + 1;
 }
 
-/// As many of these clauses as have so many words together, at least one, as one sentence.
+/// One sentence of as many of these clauses as have at most so many words together, but of one at least.
 std::string sentence(std::vector<std::string> clauses, std::size_t words) {
     const std::size_t all = clauses.size();
     std::size_t taken = 1;

@@ -21,7 +21,7 @@ enum class Subject {
     errors,          ///< errors of methods at the same size
 };
 
-/// What a study finds on its subject. The answer says it, and the picture beside the answer shows it.
+/// The main finding of a study on its subject. The answer says it, and the picture beside the answer shows it.
 struct MainFinding {
     Subject subject = Subject::errors;
     std::string question = {};

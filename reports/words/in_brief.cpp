@@ -81,7 +81,7 @@ const studies::Method& method_of(const studies::StudyPlan& plan, const VarianceR
     return plan.spec.methods[plan.cells[reduction.cell].method];
 }
 
-/// For each method with one sequence per face, the one that differs from it only in this.
+/// The method that differs from one with a sequence per face only in having a sequence per patch; null: none.
 const VarianceReduction* with_a_sequence_a_patch(const studies::StudyResults& results, const VarianceReduction& face) {
     const studies::StudyPlan& plan = results.findings.plan;
     const studies::Method& method = method_of(plan, face);
@@ -95,7 +95,7 @@ const VarianceReduction* with_a_sequence_a_patch(const studies::StudyResults& re
     return found == results.reductions.end() ? nullptr : &*found;
 }
 
-/// Whether a larger size of the same ladder says the same again.
+/// Whether the ladder of a cell has a larger size, which says the same again.
 bool is_below_the_top(const studies::StudyResults& results, std::size_t cell) {
     return std::any_of(results.slopes.begin(), results.slopes.end(), [&](const studies::LadderSlopes& ladder) {
         const auto& cells = ladder.ladder.cells;
@@ -103,7 +103,7 @@ bool is_below_the_top(const studies::StudyResults& results, std::size_t cell) {
     });
 }
 
-/// How many verdicts are of each kind.
+/// Counts verdicts on rates, and names those that are not as expected.
 std::string verdicts_in_words(const std::vector<studies::LadderSlopes>& ladders) {
     std::size_t judged = 0;
     std::size_t expected = 0;

@@ -35,7 +35,7 @@ class RowsInFolder {
     void take(const std::filesystem::path& file);
     /// Rows that are kept.
     [[nodiscard]] std::size_t count() const { return rows_ ? rows_->faces().size() : 0; }
-    /// To be called when the matrix is complete.
+    /// Has to be called when the matrix is complete.
     void remove();
 
   private:

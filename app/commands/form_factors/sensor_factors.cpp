@@ -97,7 +97,7 @@ std::string half_of(const PointFactor& factor) {
     return reports::to_error(factor.value, std::max(factor.high - factor.value, factor.value - factor.low));
 }
 
-/// Without this, a point in a corner, or one that faces away from everything, would have no line at all.
+/// Tells of points in corners, and of those that face away from everything, which have no line of their own.
 void say_what_sees_nothing(const std::vector<std::vector<PointFactor>>& factors) {
     std::size_t blind = 0;
     std::size_t first = 0;

@@ -21,7 +21,7 @@ inline constexpr Comparative errs_less{"err less", "RMSE "};
 inline constexpr Comparative converges_faster{"converge faster", "slopes ", "", "another", false};
 inline constexpr Comparative varies_less{"vary less", "", " times less than random points", "random points"};
 
-/// What a reader should take, as clauses: "take sobol or halton: on parallel and adjacent pairs nothing is shown to err
+/// Advice on what to take, as clauses: "take sobol or halton: on parallel and adjacent pairs nothing is shown to err
 /// less (RMSE 0.0016 to 0.0023)". The numbers hold the intervals of all methods named. Where no method is among the
 /// best in all rankings of a size, a clause for each.
 /// @param words  how much is said of each ranking: the less, the more of them an answer has room for

@@ -246,7 +246,7 @@ std::optional<LightInBrief> light_in_brief(const studies::StudyResults& results)
     if (!results.radiosity) return std::nullopt;
     const studies::StudyPlan& plan = results.findings.plan;
     const std::size_t told = told_setting(plan);
-    std::map<std::size_t, const studies::radiosity::SettingStatistics*> errors;  // of a method the largest
+    std::map<std::size_t, const studies::radiosity::SettingStatistics*> errors;  // largest error of each method
     for (const std::size_t cell : all_lit_cells(plan)) {
         const Consequences* found = results.radiosity->find(cell, own_treatment(plan, cell));
         if (found->settings.empty() || !found->settings[told].light_error) continue;
@@ -257,7 +257,7 @@ std::optional<LightInBrief> light_in_brief(const studies::StudyResults& results)
     if (errors.empty()) return std::nullopt;
     LightInBrief brief;
     brief.reflectance = setting_text(plan, told);
-    std::vector<std::string> parts;  // in the study's order, since nothing tests which error is smaller
+    std::vector<std::string> parts;  // methods in the study's order: no test tells which error is smaller
     for (const auto& [method, at] : errors)
         parts.push_back(fmt::format("{} with {}", light_error_text(*at), plan.spec.methods[method].name));
     brief.clause =

@@ -38,7 +38,7 @@ struct Ranking {
     /// Labels of the methods that nothing is shown to be better than; empty where no method is shown to be better than
     /// another.
     std::vector<std::string> leaders = {};
-    std::string margin = {};  ///< of a single leader: "errs 4.9 times less than PDM (4.6 to 5.2)"
+    std::string margin = {};  ///< lead of a single leader: "errs 4.9 times less than PDM (4.6 to 5.2)"
     std::string cost = {};    ///< the evaluations that this takes: " with 170 times fewer evaluations"
     std::string caveat = {};  ///< a sentence on what is not ranked; may be empty
     std::string again = {};   ///< the margin after one of the same kind: "4.9 times (4.6 to 5.2)"; may be empty
@@ -53,10 +53,10 @@ std::string sentence(const Ranking& ranking, const studies::StudyPlan& plan);
 /// How fast errors fall, on each class of pairs of each scene that has slopes.
 std::vector<Ranking> rank_rates(const studies::StudyResults& results);
 
-/// Whose errors are smallest, at sizes that can be compared, on each class of pairs of each scene.
+/// Which methods have the smallest errors at comparable sizes, on each class of pairs of each scene.
 std::vector<Ranking> rank_compared_errors(const studies::StudyResults& results);
 
-/// Whose variance is least beside that of each cell with random points.
+/// Which methods have the least variance, for each cell with random points that they are compared with.
 std::vector<Ranking> rank_variances(const studies::StudyResults& results);
 
 /// A cell in a ranking of cells.
@@ -64,7 +64,7 @@ RankedMethod ranked_cell(const studies::StudyPlan& plan, const studies::Ranked& 
 
 /// Letter of a group: a for the best; empty where all are in one.
 std::string letter(std::span<const studies::Ranked> ranked, const studies::Ranked& one);
-/// What the letters mean. @param of  " in a block", or empty where all blocks hold together
+/// The meaning of the letters. @param of  " in a block", or empty where all blocks hold together
 std::string letters_in_words(double level, std::string_view of);
 
 /// Which of these methods and sizes have the smallest errors; "" where none has a variance.
