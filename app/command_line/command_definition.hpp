@@ -51,7 +51,7 @@ struct CommandDefinition {
     std::string group;  ///< heading of the command in --help; empty: it is hidden
     std::string name;
     std::string summary;
-    std::vector<OptionDefinition> options;         ///< and arguments, in the order of --help
+    std::vector<OptionDefinition> options;         ///< options and arguments, in the order of --help
     std::vector<std::string>* unparsed = nullptr;  ///< receives all after the command, including --help; null: nothing
     std::function<ExitCode()> action;
     std::string former_name{};  ///< accepted too; empty: none

@@ -9,7 +9,7 @@
 
 namespace ff {
 
-/// What a configuration consists of; decides whether it can be a scene.
+/// The constituents of a configuration, which decide whether it can be a scene.
 enum class ConfigurationKind {
     surfaces,  ///< finite surfaces: a scene
     element,   ///< a differential area and a surface: no points to shoot from

@@ -96,7 +96,7 @@ struct Aperture {
     long double fraction = 0.5;  ///< position in the gap, from the first rectangle, strictly between 0 and 1
 };
 
-/// What passes through an aperture from one rectangle to a parallel one that faces it, as an exchange area A_1 F_12 in
+/// Exchange area A_1 F_12 through an aperture, from one rectangle to a parallel one that faces it, in
 /// squared units of length. A blocker of the aperture's shape lets the rest pass. Closed form, in extended precision:
 /// for a displacement (u, v) from one rectangle to the other, the rays that pass have a cross-section w_x(u) w_y(v),
 /// each factor the common part of three intervals that move with u; it is piecewise linear, and the kernel's fourth

@@ -29,7 +29,7 @@ Scene hemisphere();
 Scene cone_wall();
 /// Opposite unit squares 1 apart, halfway between them a square with this edge, 0 (none) to 1.
 Scene squares_blocked(double edge);
-/// As above, but the obstacle is a unit square with a square hole of this edge, 0 (no hole) to 1 (no plate).
+/// The same with a unit square as obstacle that has a square hole of this edge, 0 (no hole) to 1 (no plate).
 Scene squares_through_aperture(double edge);
 /// Legs 1 wide, 3 high; face 1: the wall of length 3; face 2: the end of the other leg, `depth` behind the corner.
 /// Faces 3 to 10: the other walls, floor and ceiling, each in rectangles.

@@ -20,13 +20,13 @@
 
 namespace ff {
 
-/// What a trial observes.
+/// The kind of data that a trial observes.
 enum class Observes {
     hits,       ///< how many of the cosine-distributed rays from each face hit each other face
     estimates,  ///< a real number for each form factor
 };
 
-/// What one set of points is used for.
+/// The part of the scene that one set of points is used for.
 enum class PointsServe {
     nothing,  ///< no points are taken
     patches,  ///< one set for each patch of the source and all that it sees: `allocation` says whose the sequence is
@@ -55,7 +55,7 @@ struct Integrands {
 /// Whether something may stand between the faces of a pair.
 enum class Hiding { none, possible };
 
-/// What a study may choose besides the sampler, if the estimator has the option.
+/// The choices of a study besides the sampler, if the estimator has the option.
 struct EstimatorOptions {
     Allocation allocation = Allocation::patch;
     TracerChoice tracer = TracerChoice::automatic;
@@ -112,7 +112,7 @@ struct RayTally {
     std::vector<double> weighted;
 };
 
-/// What one trial observed.
+/// The data that one trial observed.
 struct Outcome {
     RayTally rays;              ///< counts of an estimator with `Observes::hits`; empty otherwise
     Eigen::MatrixXd estimates;  ///< between faces; of `Observes::hits`, shares by area

@@ -22,8 +22,8 @@ namespace ff {
 /// @see [howell] C-11 to C-15, [ehlert1993]
 std::optional<double> exact_exchange_area(const Surface& from, const Surface& to);
 
-/// As above in extended precision: within 1e-18 of the squared extent where the machine has it, apart from the rounding
-/// of the result.
+/// Exchange area in extended precision: within 1e-18 of the squared extent where the machine has it, apart from the
+/// rounding of the result.
 std::optional<double> extended_exchange_area(const Surface& from, const Surface& to);
 
 /// Squared diagonal of the box around two polygons: errors of exchange areas are relative to it.

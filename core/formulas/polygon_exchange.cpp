@@ -140,7 +140,7 @@ class SkewIntegral {
 
     EdgeLine<Real> outer_;
     EdgeLine<Real> inner_;
-    std::array<std::complex<Real>, 3> singularities_;  ///< over s, and their conjugates
+    std::array<std::complex<Real>, 3> singularities_;  ///< in the plane of s; their conjugates are others
     BoundedValue<Real> integral_;
 };
 

@@ -81,8 +81,8 @@ bool is_sliver(const ConvexPolygon& polygon, double gap);
 /// The part that a polygon has in common with a convex one, both counter-clockwise around this normal of their plane.
 ConvexPolygon common_part(ConvexPolygon part, const ConvexPolygon& polygon, const Eigen::Vector3d& normal);
 
-/// What is left of convex pieces without a convex polygon that is counter-clockwise around their normal, in convex
-/// pieces. @param gap  lines nearer than this are one
+/// Convex pieces without their overlap with a convex polygon that is counter-clockwise around their normal, again
+/// convex. @param gap  lines nearer than this are one
 std::vector<ConvexPolygon> without(const std::vector<ConvexPolygon>& pieces, const ConvexPolygon& polygon,
                                    const Eigen::Vector3d& normal, double gap);
 

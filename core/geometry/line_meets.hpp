@@ -20,8 +20,8 @@ struct Line {
 
 /// Which ends of a line, time 0 and time 1, lie on a surface.
 struct Ends {
-    bool begins = false;  ///< and leads to the radiating side
-    bool ends = false;    ///< and arrives from the radiating side
+    bool begins = false;  ///< time 0 does, and the line leads to the radiating side
+    bool ends = false;    ///< time 1 does, and the line arrives from the radiating side
 };
 
 /// Where a line meets a surface.

@@ -132,7 +132,7 @@ struct MaskedPart {
 
 /// Surfaces, and the faces (groups of surfaces) that results are reported for.
 struct Scene {
-    std::string name;       ///< as the user wrote it, e.g. "cube"
+    std::string name;       ///< name as the user wrote it, e.g. "cube"
     std::string canonical;  ///< what the scene is, independent of its name; keys the random streams
     std::vector<Surface> surfaces;
     std::vector<std::string> faces;  ///< face labels as reported, e.g. "1" .. "6"

@@ -63,7 +63,7 @@ Shaft::Crossing crossing(const Shaft::Corners& corners, const Plate& plate, Shaf
         ends_behind = hn::Max(ends_behind, turned);
     }
     if (!(highest(most) > 0) || !(lowest(least) < 0)) return Shaft::Crossing::none;
-    bool all = lowest(ends_before) > 0 || highest(ends_behind) < 0;  // and within all edges so far
+    bool all = lowest(ends_before) > 0 || highest(ends_behind) < 0;  // every line crosses, within all edges so far
     ByCorner inside;
     for (const Plate::Edge& edge : plate.edges) {
         find_distances(corners, edge.inward, edge.corner, inside);

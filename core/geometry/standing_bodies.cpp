@@ -236,7 +236,7 @@ std::vector<Finder::Cover> Finder::covered_by_rim(const ConvexPolygon& rim, cons
 
 void Finder::find_rims(const BoxTree& tree) {
     const std::vector<std::uint32_t> body = bodies();
-    // For each body, the beginning and end of the edges that only one surface has, in the direction of its outline.
+    // The beginning and end, for each body, of the edges that only one surface has, in the direction of its outline.
     std::map<std::uint32_t, std::map<std::uint32_t, std::uint32_t>> free_edges;
     std::map<std::uint32_t, std::vector<std::uint32_t>> members;
     for (std::uint32_t i = 0; i < rings_.size(); ++i) {

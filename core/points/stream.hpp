@@ -33,7 +33,7 @@ struct Stream {
     std::uint32_t target = 0;  ///< to-patch plus 1 where a point belongs to a pair, below 2^24; 0 otherwise
 };
 
-/// What a Philox block is used for; keeps coordinates and scramble seeds apart.
+/// The use of a Philox block; keeps coordinates and scramble seeds apart.
 enum class Purpose : std::uint8_t {
     coordinates = 0,  ///< the four coordinates of point `index`
     scramble = 1,     ///< seeds of a randomisation, `index` counts blocks of four words

@@ -52,7 +52,7 @@ struct RadiusBounds {
 /// reducible. @pre square, finite, no negative entry @see [varga1962] section 2.1
 RadiusBounds spectral_radius(const Eigen::MatrixXd& matrix, double tolerance = 1e-12);
 
-/// What errors do to a matrix of form factors.
+/// The defects of a matrix of form factors that errors cause.
 struct FactorProperties {
     Eigen::VectorXd row_sums;
     double closure_defect = 0;      ///< largest |row sum - 1|; 0 in a closed scene without errors
@@ -67,11 +67,11 @@ struct FactorProperties {
 /// @pre as for `spectral_radius`; areas > 0, one for each row
 FactorProperties factor_properties(const Eigen::MatrixXd& factors, const Eigen::VectorXd& areas);
 
-/// What decides whether a system can be solved, and how fast.
+/// The properties that decide whether a system can be solved, and how fast.
 struct SystemProperties {
     double dominance = 0;  ///< least |G_ii| - sum of |G_ij|, j != i: G is strictly diagonally dominant where it is > 0
     RadiusBounds spectral_radius;  ///< radius of P F: the series I + P F + (P F)^2 + ... converges where it is < 1
-    double condition = 0;  ///< number of G in the 1-norm, estimated from its LU factors; infinity where G is singular
+    double condition = 0;  ///< condition number of G in the 1-norm, estimated by LU factors; infinity: G is singular
 };
 
 struct SolvedSystem {

@@ -87,7 +87,7 @@ void bound(const RTCBoundsFunctionArguments* arguments) {
     }
 }
 
-/// In place of the hit coordinate u, which core/geometry/surface_map finds for round shapes.
+/// Stands in place of the hit coordinate u, which core/geometry/surface_map finds for round shapes.
 constexpr float meets_outward = 1;
 
 void intersect_round(const RTCIntersectFunctionNArguments* arguments) {
@@ -112,7 +112,7 @@ void intersect_round(const RTCIntersectFunctionNArguments* arguments) {
     }
 }
 
-/// What Embree found.
+/// A hit that Embree found.
 struct EmbreeHit {
     std::uint32_t surface = no_surface;
     float time = 0;

@@ -14,7 +14,7 @@ inline constexpr double rounding_room = 1e-12;
 /// that turn their back to it hide nothing that no other side of the body hides.
 enum class FacedEnd : std::uint8_t { either, from, to };
 
-/// What may stand between two surfaces.
+/// A surface that may stand between two others.
 struct Blocker {
     const Surface* surface = nullptr;
     FacedEnd faces = FacedEnd::either;

@@ -18,7 +18,7 @@ struct LevelOverlap {
     std::uint32_t second = 0;
     bool same_side = false;  ///< they radiate to the same side; else they are back to back, as the sides of a thin wall
     double area = 0;         ///< covered by both; approximate for discs
-    bool level = true;       ///< within level_gap: coordinates do not tell which of them hides the other
+    bool level = true;       ///< they are within level_gap: coordinates do not tell which of them hides the other
 };
 
 /// All overlaps of a scene that cover at least a millionth of the smaller surface, and more than rounding can cover

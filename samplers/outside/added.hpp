@@ -51,7 +51,7 @@ class AddedSampler {
     CatalogueEntry entry_;
 };
 
-/// What to do with a short name that another sampler already has.
+/// The fate of a short name that another sampler already has.
 enum class ShortName {
     stays,  ///< the new sampler is refused
     moves,  ///< the name passes to the new sampler

@@ -33,7 +33,7 @@ std::optional<QuadraticForm> combine_deviations(std::span<const double> deviatio
 /// expectation is at least 5. For the hits of one face it is the multinomial test of all its pairs.
 struct GoodnessOfFit {
     ChiSquared chi_squared;
-    std::size_t cells = 0;    ///< after pooling
+    std::size_t cells = 0;    ///< number of cells after pooling
     bool impossible = false;  ///< a count where the probability is 0; p is then 0
 };
 

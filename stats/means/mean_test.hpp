@@ -40,7 +40,7 @@ struct Unmet {
     [[nodiscard]] double reach(double tail) const;
 };
 
-/// What is known of values from the way in which they are made.
+/// The limits of values that follow from the way in which they are made.
 struct KnownLimits {
     double largest_part = unknown_parts;
     Unmet unmet;

@@ -9,7 +9,7 @@
 
 namespace ff::stats {
 
-/// What the probability behind a share is compared with: a number, which may have a standard error, or another share.
+/// The reference for the probability behind a share: a number, which may have a standard error, or another share.
 struct ShareReference {
     double value = 0;
     double standard_error = 0;                                 ///< 0: exact

@@ -26,7 +26,7 @@ std::optional<TailFit> fit_tail(std::span<const double> values, double fraction 
 /// unless more than `exceedances` >= 2 values are positive.
 std::optional<TailFit> fit_tail_hill(std::span<const double> values, std::size_t exceedances);
 
-/// What the tail tells about the variance.
+/// The finding about the variance that a tail supports.
 enum class VarianceHealth { finite, infinite, undecided };
 
 /// Tests the index 2, at which the variance just becomes infinite: infinite where the index is significantly below 2,
@@ -42,7 +42,7 @@ struct TailDoubt {
         infinite_variance,     ///< `value` is the tail index, significantly below 2
         not_shown_finite,      ///< there are many values, but the index is not shown to be above 2
         few_values_decide,     ///< `value` is the variance of the variance, above `limit`
-        outer_tails_infinite,  ///< both tails together, about the median: `value` is their index
+        outer_tails_infinite,  ///< `value` is the index of both tails together, about the median
     };
     Reason reason = Reason::infinite_variance;
     double value = 0;

@@ -35,7 +35,7 @@ std::optional<PatchErrors> patch_errors(const Store& store, std::size_t cell);
 /// Statistics of one cell.
 struct CellAnalysis {
     std::size_t cell = 0;
-    std::uint64_t trials = 0;  ///< saved
+    std::uint64_t trials = 0;  ///< number of saved trials
     std::uint64_t trials_planned = 0;
     std::uint64_t lost_rays = 0;
     std::uint64_t evaluations_per_face = 0;

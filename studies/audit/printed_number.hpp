@@ -39,8 +39,8 @@ enum class Rounding { rounded, truncated };
 
 /// How the number of printed digits is determined. In both, trailing zeros may be missing or appended.
 enum class Layout {
-    fixed_decimals,      ///< as C's %.6f
-    significant_digits,  ///< as C's %.6g and C++ streams
+    fixed_decimals,      ///< a number of decimals, as in C's %.6f
+    significant_digits,  ///< a number of significant digits, as in C's %.6g and C++ streams
 };
 
 /// A rule by which numbers become printed figures.

@@ -12,7 +12,7 @@
 namespace ff::studies::audit {
 
 enum class ReferenceSource {
-    printed,    ///< as the publication prints it
+    printed,    ///< the printed value
     exact,      ///< the exact value
     shortened,  ///< one of these with fewer digits
 };

@@ -18,7 +18,7 @@ namespace ff::studies {
 enum class Basis {
     independent,          ///< other random numbers: compared by tests
     same_random_numbers,  ///< the same seed and the same points: compared trial by trial, to the bit
-    deterministic,        ///< both: compared by value
+    deterministic,        ///< both are deterministic: compared by value
     mixed,                ///< only one of them is deterministic
 };
 

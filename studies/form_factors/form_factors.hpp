@@ -30,7 +30,7 @@ struct FaceExchange {
     std::optional<ExchangeMethod> method;
     ExchangeReason reason = ExchangeReason::turned_away;  ///< why it needed that method
     bool clipped = false;                                 ///< geometric limits are narrower than the samples' interval
-    bool within = false;                                  ///< within the tolerance, in both directions
+    bool within = false;                                  ///< the interval meets the tolerance, in both directions
     bool contradicted = false;  ///< an independent randomisation disagrees; the interval contains both
 
     [[nodiscard]] bool is_sampled() const { return !method || *method >= ExchangeMethod::cells; }

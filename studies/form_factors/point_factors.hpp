@@ -31,7 +31,7 @@ class PointFactors {
   private:
     Placement placement_;
     Scene scene_;
-    std::vector<Eigen::AlignedBox3d> boxes_;       ///< around its surfaces
+    std::vector<Eigen::AlignedBox3d> boxes_;       ///< box around each surface of the scene
     double gap_ = 0;                               ///< a place nearer to a plane than this lies in it
     std::vector<std::vector<std::size_t>> level_;  ///< for each surface, the others that lie over it in its plane
 };

@@ -19,9 +19,9 @@ struct StoredQuantity {
     Quantity quantity;
     std::uint64_t trials = 0;
     double mean = 0;
-    double standard_error = 0;                           ///< standard error of the mean; 0 for a deterministic method
-    std::optional<stats::MeanSquare> variance;           ///< about the mean; empty for a deterministic method
-    std::optional<stats::MeanSquare> mean_square_error;  ///< about the exact value
+    double standard_error = 0;                  ///< standard error of the mean; 0 for a deterministic method
+    std::optional<stats::MeanSquare> variance;  ///< mean square about the mean; empty for a deterministic method
+    std::optional<stats::MeanSquare> mean_square_error;  ///< mean square about the exact value
 };
 
 /// The saved numbers of one gate.

@@ -35,7 +35,7 @@ struct CommonTrials {
     };
     std::vector<Range> ranges;
     std::uint64_t reused = 0;
-    std::uint64_t left_behind = 0;  ///< saved, but not part of this study
+    std::uint64_t left_behind = 0;  ///< saved trials that are not part of this study
     std::uint64_t wanted = 0;       ///< total of this study
 };
 

@@ -11,7 +11,7 @@ namespace ff::studies {
 
 enum class PromiseKind {
     latin,       ///< one point in each of n slices of every coordinate
-    net,         ///< as many points in every elementary interval of volume base^t / n
+    net,         ///< base^t points in every elementary interval of volume base^t / n
     stratified,  ///< one point in each of k^d cells, n = k^d
     lattice,     ///< points are a group modulo 1 of multiples of 1/n, shifted
 };

@@ -57,7 +57,7 @@ std::uint32_t base_of_structure(std::uint64_t points, std::uint32_t base_of_powe
 struct EvennessOfSet {
     std::optional<std::uint32_t> t_value;       ///< empty unless the number of points is a small power of the base
     std::optional<double> l2_star_discrepancy;  ///< empty for more than `most_quadratic` points
-    std::optional<double> centred_discrepancy;  ///< likewise
+    std::optional<double> centred_discrepancy;  ///< empty for more than `most_quadratic` points
     double largest_gap = 0;                     ///< widest gap between neighbours on any axis
 };
 

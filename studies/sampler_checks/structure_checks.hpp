@@ -26,7 +26,7 @@ struct StructureEvidence {
     std::vector<SetStructure> sets;   ///< structure of each drawn set
     std::uint32_t base = 2;           ///< base in which t-values are computed
     bool randomised = true;           ///< sets are independent
-    std::vector<SliceCounts> slices;  ///< over all trials, one a coordinate; empty where nothing was counted
+    std::vector<SliceCounts> slices;  ///< counts over all trials, one a coordinate; empty where nothing was counted
     std::uint64_t trials = 0;
 };
 

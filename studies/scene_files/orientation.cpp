@@ -221,7 +221,7 @@ Winding find_winding(const Scene& scene) {
         bool turn_others = areas[1] < areas[0];
         bool is_decided = std::abs(areas[0] - areas[1]) > rounding * areas[0];
         if (!is_decided) {
-            std::array<double, 2> seen{};  // as they are but for the others, which are turned; the other way round
+            std::array<double, 2> seen{};  // area seen with the others turned; with all but them turned
             for (const auto& [surface, turned] : part.surfaces) {
                 seen[0] += area_seen(scene, surface, turned ? -1 : 1);
                 seen[1] += area_seen(scene, surface, turned ? 1 : -1);

@@ -26,7 +26,7 @@ class Statement {
     Statement& bind(int parameter, double value);
     Statement& bind(int parameter, std::string_view value);
     Statement& bind(int parameter,
-                    std::span<const std::uint64_t> values);  ///< as a blob of little-endian 64-bit integers
+                    std::span<const std::uint64_t> values);  ///< binds a blob of little-endian 64-bit integers
 
     /// Binds these values to the parameters, from the first one on: flags and whole numbers of any type as integers.
     template <class... Values>

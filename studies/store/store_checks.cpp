@@ -75,7 +75,7 @@ class Rows {
     const std::filesystem::path& file_;
     const StudyPlan& plan_;
     std::vector<SavedUnit> units_;
-    std::vector<std::size_t> trials_;  ///< saved ones of each cell
+    std::vector<std::size_t> trials_;  ///< number of saved trials of each cell
     /// Rays from each face that hit something or were lost, by the place of the trial in the cell that is being read.
     std::map<std::int64_t, std::vector<std::int64_t>> arrived_;
 

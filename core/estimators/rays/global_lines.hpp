@@ -62,7 +62,7 @@ class GlobalLines : public SceneEstimator {
   private:
     std::vector<FlatPiece> flat_;
     std::vector<const Surface*> round_;  ///< discs too
-    Eigen::AlignedBox3d box_;            ///< around all faces
+    Eigen::AlignedBox3d box_;            ///< box around all faces
     std::vector<BoxSide> sides_;         ///< those that have an area
     double area_ = 0;                    ///< total area of the sides, in squared units of length
 };

@@ -67,8 +67,8 @@ class PartBounds {
     /// of the factor is overlooked.
     struct Bounds {
         std::vector<std::uint32_t> blockers;  ///< those that may hide something, by index
-        double visible = 0;                   ///< upper bound of the factor to what is seen
-        double hidden = 0;                    ///< and to what is hidden
+        double visible = 0;                   ///< upper bound of the factor to the visible part
+        double hidden = 0;                    ///< upper bound of the factor to the hidden part
         double change = 0;  ///< upper bound of what either changes by between two places; infinite beside an edge
     };
 

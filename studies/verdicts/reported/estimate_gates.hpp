@@ -10,14 +10,14 @@
 
 namespace ff::studies::gates {
 
-/// What a gate on a file would need.
+/// The trials that a gate on a file would need.
 struct EstimatesPlan {
     std::string gate;
     GateKind kind = GateKind::bias;
     std::size_t comparisons = 1;  ///< bins
     std::uint64_t needed = 0;     ///< trials with which it would pass with the power if there is no effect
     std::uint64_t at_hand = 0;
-    bool in_runs = false;  ///< both are runs of means or shares rather than trials
+    bool in_runs = false;  ///< `needed` and `at_hand` are runs of means or shares, not trials
 };
 
 /// @param against  a second file of trials to compare distributions with; null: none
