@@ -35,7 +35,7 @@ enum class Spread {
     lattice,
 };
 
-/// What a sampler declares about itself; `ffstudy list`, `explain`, the contract tests and the reports read it.
+/// The declaration of a sampler; `ffstudy list`, `explain`, the contract tests and the reports read it.
 struct SamplerInfo {
     std::string_view name;
     std::string_view summary;    ///< one line, shown by `ffstudy list samplers`

@@ -57,7 +57,7 @@ struct ParsedCommandLine {
     std::string text;                            ///< what --help, --version or no command at all prints
 };
 
-/// @param columns  that texts of help fit into
+/// @param columns  width of the texts of help
 /// @throws UserError where the command line says what no definition allows
 ParsedCommandLine parse(const ProgramDefinition& program, std::span<char* const> arguments, std::size_t columns);
 

@@ -13,7 +13,7 @@ namespace ff::app {
 using NamesOfType = std::function<std::vector<Listed>(std::string_view type)>;
 
 /// Commands used by the build and by shells, hidden from help: `complete` and `man_pages`.
-/// @param names  for `complete`
+/// @param names  gives `complete` its names
 void add_hidden_commands(ProgramDefinition& program, const NamesOfType& names);
 
 }  // namespace ff::app

@@ -37,7 +37,7 @@ struct ListCommand {
     bool json = false;
 };
 
-/// What `explain` says about one thing with that name.
+/// The explanation of one thing by `explain`.
 struct Explanation {
     std::string kind;
     std::string name;

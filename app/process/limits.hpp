@@ -9,7 +9,7 @@
 
 namespace ff::app {
 
-/// Reads "90", "90s", "15m", "2.5h" or "1d"; empty where no text is given. @param option  that has it, for the message
+/// Reads "90", "90s", "15m", "2.5h" or "1d"; empty where no text is given. @param option  option, for messages
 /// @throws UserError
 std::optional<std::chrono::duration<double>> parse_duration(const std::optional<std::string>& text,
                                                             std::string_view option = "--max-time");

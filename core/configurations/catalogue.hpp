@@ -42,7 +42,7 @@ std::optional<Scene> configuration_scene(std::string_view name);
 /// Whether a configuration is a pair of faces of this scene.
 bool is_configuration(const Scene& scene, const Configuration& configuration);
 
-/// For the form factor of a face with itself, how many other faces share the rest of its light equally: F = 1 - n
+/// The number of other faces that share equally what a face does not send to itself: the form factor is F = 1 - n
 /// F(from, other). 0 for a configuration of two faces.
 int other_faces(const Scene& scene, const Configuration& configuration);
 

@@ -62,7 +62,7 @@ struct EstimatorOptions {
     PointMap map = PointMap::uniform;
 };
 
-/// What an estimator declares about itself; study files, plans, `ffstudy list`, `explain`, the contract tests and the
+/// The declaration of an estimator; study files, plans, `ffstudy list`, `explain`, the contract tests and the
 /// reports read it.
 struct EstimatorInfo {
     std::string_view name;

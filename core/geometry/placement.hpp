@@ -24,9 +24,9 @@ Placement placement_of(const Scene& scene);
 /// The largest absolute coordinate of a scene.
 double farthest_coordinate(const Scene& scene);
 
-/// By how much far coordinates, those along axes on which a scene is moved, may be off because double precision rounded
-/// them: half a unit in the last place of the largest. 0 where each is a multiple of 256 such units, as whole numbers
-/// are: rounding would hardly leave them so.
+/// The error that far coordinates, those along axes on which a scene is moved, may have because double precision
+/// rounded them: half a unit in the last place of the largest. 0 where each is a multiple of 256 such units, as whole
+/// numbers are: rounding would hardly leave them so.
 double rounding_of_far_coordinates(const Scene& scene, const Placement& placement);
 
 /// The scene in its place; its coordinate_rounding is at least that of its far coordinates. Placing it again changes

@@ -10,7 +10,7 @@ namespace ff {
 
 /// Bodies that stand on surfaces which are not cut out beneath them, as is common in models.
 struct StandingBodies {
-    /// For each surface, what is left of it beside what stands on it or what it stands on; empty where nothing does. No
+    /// The rest of each surface beside bodies that stand on it or surfaces it stands on; empty where there are none. No
     /// polygon where nothing is left.
     std::vector<std::optional<std::vector<ConvexPolygon>>> left;
 

@@ -59,8 +59,8 @@ struct FactorProperties {
     double reciprocity_defect = 0;  ///< largest |F_ij - F_ji A_j / A_i|; 0 without errors
     RadiusBounds spectral_radius;   ///< radius of F; 1 in a closed scene without errors
 
-    /// With one reflectance for all patches, G is strictly diagonally dominant below this value and not from it on: 1 /
-    /// the largest row sum.
+    /// The reflectance of all patches below which, but not from which on, G is strictly diagonally dominant: 1 / the
+    /// largest row sum.
     [[nodiscard]] double dominant_below() const { return 1 / row_sums.maxCoeff(); }
 };
 

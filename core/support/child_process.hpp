@@ -34,7 +34,7 @@ pid_t start_child(const ChildCommand& command, ChildStreams streams, ChildSignal
 /// Waits for its end. @return the status of waitpid
 int wait_for_child(pid_t child);
 
-/// What a program has printed, and how it ended.
+/// The output of a program, and how it ended.
 struct ChildOutput {
     enum class End {
         exited,     ///< `code` is its exit code

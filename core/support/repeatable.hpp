@@ -30,8 +30,8 @@ class Repeatable {
   public:
     Repeatable(bool randomised, OutsideWords words) : randomised_(randomised), words_(words) {}
 
-    /// @param title   of the code, for messages   @param what  it gives, in the plural
-    /// @param result  of a run with the seed of a trial, from 0, for the comparison
+    /// @param title   title of the code, for messages   @param what  name of its results, in the plural
+    /// @param result  returns the result of a run with the seed of a trial, from 0
     /// @param telling  whether equal results for many seeds show that the code ignores them: rare events may not happen
     /// for any
     /// @throws UserError; what `result` throws

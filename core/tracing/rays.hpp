@@ -19,7 +19,7 @@ inline bool begins_on(const Surface& source, double rim) {
     return rim == 0 || is_flat(source.shape) || facing(source.shape) == Facing::outward;
 }
 
-/// Whether a ray arrives at the back of a surface. @param outward  as of Meeting
+/// Whether a ray arrives at the back of a surface. @param outward  Meeting::outward
 inline bool meets_back(const Surface& surface, bool outward, const Eigen::Vector3d& direction) {
     if (is_flat(surface.shape)) return surface.normal.dot(direction) >= 0;
     return (facing(surface.shape) == Facing::inward) != outward;

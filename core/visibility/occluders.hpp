@@ -24,7 +24,7 @@ class Occluders {
   public:
     explicit Occluders(const Scene& scene);
 
-    /// What is proved about all lines from one surface to another.
+    /// The facts that are proved about all lines from one surface to another.
     struct Between {
         bool all_hidden = false;  ///< a single occluder or convex body blocks all of them
         /// The occluders not shown to keep clear of them, in a fixed order; they live as long as this. Of a convex
@@ -42,7 +42,7 @@ class Occluders {
 
     /// Visits that together cover each unordered pair of surfaces once, including each surface with itself, except
     /// pairs that are wholly hidden from each other.
-    /// @param most_pairs  in a visit
+    /// @param most_pairs  most pairs of surfaces in a visit
     [[nodiscard]] std::vector<Visit> visits(double most_pairs) const;
 
     /// Receives two surfaces by their indices, the smaller index first.

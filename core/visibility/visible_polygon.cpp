@@ -158,7 +158,7 @@ struct Shadow {
 /// hides any of that, as with neighbours in a mesh; else the piece is cut up along the shadow's sides.
 class Adding {
   public:
-    /// @param are_convex  by two blockers: no line meets the same side of both
+    /// @param are_convex  for two blockers: no line meets the same side of both
     Adding(const std::vector<bool>& are_convex, std::size_t blockers, double rounding, ArcSums& sums, std::size_t place)
         : are_convex_(are_convex), blockers_(blockers), rounding_(rounding), sums_(sums), place_(place) {}
 

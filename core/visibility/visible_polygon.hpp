@@ -56,8 +56,8 @@ class VisiblePolygon {
     /// Whether a blocker hides something from places on either side of its plane, before it only, or behind.
     enum class Hides : std::uint8_t { always, from_before, from_behind };
     std::vector<Hides> hides_;
-    /// For each two blockers, whether each lies behind the other, so that no line meets the front, or the back, of
-    /// both.
+    /// Whether two blockers lie behind each other, so that no line meets the front, or the back, of both; for each
+    /// pair of them.
     std::vector<bool> are_convex_;
     std::vector<std::uint32_t> all_;
 

@@ -10,8 +10,8 @@ namespace ff::reports {
 
 /// Two runs side by side. All outputs are byte-identical for the same stores.
 
-/// For the terminal: which run is better, the ratios of errors as a forest plot, a row for each method, size and class
-/// of pairs, the differences of the study files, and cells of only one run.
+/// Text for the terminal: which run is better, the ratios of errors as a forest plot, a row for each method, size and
+/// class of pairs, the differences of the study files, and cells of only one run.
 std::string comparison_text(const studies::RunComparison& comparison, const TextStyle& style);
 
 /// comparison.md

@@ -125,8 +125,8 @@ std::string verdicts_in_words(const std::vector<studies::LadderSlopes>& ladders)
                        expected == 1 ? "is" : "are", others.empty() ? "" : "; ", listed(others));
 }
 
-/// For each class of pairs, which methods converge fastest and slowest, as far as they can be distinguished, then how
-/// many rates are as expected; empty without ladders.
+/// Says which methods converge fastest and slowest on each class of pairs, as far as they can be distinguished, then
+/// how many rates are as expected; empty without ladders.
 std::vector<std::string> slopes_in_brief(const studies::StudyResults& results) {
     std::vector<std::string> lines;
     if (results.occlusion.empty()) {  // otherwise scenes differ in what hides, and are described together

@@ -53,7 +53,7 @@ std::string claims_sentence(const studies::PublishedResults& published);
 /// @param alpha  family-wise error rate of the figures of a table
 std::vector<std::string> published_in_brief(const studies::PublishedResults& published, double alpha);
 
-/// For a deterministic method that, as described, does not give its printed figures: both errors, the costs, and the
+/// On a deterministic method that, as described, does not give its printed figures: both errors, the costs, and the
 /// comparison with the best other method by our figures and by the printed ones. Empty where there is no such method.
 /// @pre the study has published tables
 std::string premise(const studies::StudyResults& results);

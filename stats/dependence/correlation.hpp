@@ -57,7 +57,7 @@ struct RankCorrelation {
 inline constexpr std::size_t fewest_ranked = 6;
 
 /// Empty for fewer than `fewest_ranked` values, and where all values of one series are equal.
-/// @pre as many of both  @param level  of the interval
+/// @pre both are equally long  @param level  level of the interval
 std::optional<RankCorrelation> rank_correlation(std::span<const double> first, std::span<const double> second,
                                                 double level);
 

@@ -23,7 +23,7 @@ namespace ff::stats {
 namespace {
 
 /// Spacing of the lattice that ascending distinct values lie on; 0 where they lie on none.
-/// @param rounding  of the largest value, relative; that to single precision unless more is known
+/// @param rounding  relative rounding of the largest value; that of single precision unless more is known
 double find_spacing(const std::vector<double>& distinct, double rounding = 0x1p-22) {
     std::vector<double> gaps;
     for (std::size_t i = 1; i < distinct.size(); ++i) gaps.push_back(distinct[i] - distinct[i - 1]);

@@ -110,7 +110,7 @@ struct UnseenValue {
     double value = 0;
     double one_in = 0;  ///< it occurs once in so many trials, at most
 };
-/// @param mean, reference  of the trials, which have missed the value, and the true mean
+/// @param mean  mean of the trials, which have missed the value @param reference  the true mean
 UnseenValue unseen_value(double mean, double reference, std::size_t n, double tail);
 
 /// A number made of independent means: the logarithm of a mean square, a weighted sum of such logarithms, a slope. Two
@@ -141,7 +141,7 @@ Measured logarithm_of(const MeanEvidence& mean, double scale = 1);
 Measured with_error(double value, double standard_error, std::size_t trials);
 
 /// Interval of second - first. Ends may be infinite. Empty where both are exact.
-/// @param correlation  of both; for numbers from the same trials
+/// @param correlation  correlation of both, where they are from the same trials
 std::optional<Interval> difference_interval(const Measured& first, const Measured& second, double level,
                                             double correlation = 0);
 

@@ -49,7 +49,7 @@ struct Summary {
     std::optional<double> efficiency_samples;  ///< 1 / (variance * evaluations per face)
 };
 
-/// What `summarise` needs besides the values of a quantity.
+/// The data that `summarise` needs besides the values of a quantity.
 struct SummaryRequest {
     Quantity quantity;
     std::optional<PairClass> pair_class;

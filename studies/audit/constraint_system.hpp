@@ -78,7 +78,7 @@ struct ConstraintSystem {
 /// Which suspects are assumed wrong: [suspect].
 using Blame = std::vector<bool>;
 
-/// What a term adds to the left side of its constraint, which is not `even`.
+/// The range that a term adds to the left side of its constraint, which is not `even`.
 Range contribution(const Constraint& constraint, const std::vector<Range>& ranges, const Term& term);
 
 /// The values that one constraint allows for the variable of its term `term`, given ranges of all variables. Empty

@@ -14,7 +14,7 @@
 
 namespace ff::studies::audit {
 
-/// What a misprinted figure should have been.
+/// The figure that should have been printed in place of a misprint.
 struct Correction {
     std::size_t figure = 0;
     std::string printed;

@@ -18,7 +18,7 @@
 
 namespace ff::studies::audit {
 
-/// What is known of the scene of published tables.
+/// The known facts about the scene of published tables.
 struct SceneFacts {
     Scene scene;
     std::vector<double> areas;       ///< area of each face

@@ -18,7 +18,7 @@ inline constexpr std::size_t most_dense_faces = 4096;
 /// Number of unordered pairs of this many faces, including each face with itself.
 std::size_t pairs_of(std::size_t faces);
 
-/// For each face, the positions of its pairs in a list, by the other face.
+/// The positions in a list of the pairs of each face, ordered by the other face.
 /// @param pairs  with members `from` and `to`, in the order (0,0), (0,1), .., (1,1), ..
 template <class Pairs>
 std::vector<std::vector<std::uint32_t>> by_face(const Pairs& pairs, std::size_t faces) {
@@ -69,7 +69,7 @@ struct FacePairs {
     std::vector<double> areas;             ///< area of each face, in squared units of length
     std::vector<DroppedExchange> dropped;  ///< one for each face
     std::shared_ptr<const Occluders> occluders;
-    /// For each surface, in order, the surfaces to which its rays count; empty if all rays count.
+    /// The surfaces to which the rays of each surface count, in order; empty if all rays count.
     std::vector<std::vector<std::uint32_t>> shot;
 
     [[nodiscard]] std::size_t faces() const { return areas.size(); }

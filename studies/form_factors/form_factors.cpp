@@ -65,14 +65,14 @@ void drop(Matrix& matrix, std::vector<DroppedExchange> dropped, double below) {
     matrix.dropped /= 2;
 }
 
-/// What a row's sum may lack, and by how much it may be too large.
+/// How much may be missing from a row's sum, and by how much it may be too large.
 struct Misses {
     double missing = 0;
     double excess = 0;
 };
 
-/// What an entry lacks is missing from both rows that share it; where only one of them is known to miss anything, that
-/// counts.
+/// The part that an entry lacks is missing from both rows that share it; where only one of them is known to miss
+/// anything, that one counts.
 double common(double first, double second) {
     return first > 0 && second > 0 ? std::min(first, second) : std::max(first, second);
 }

@@ -23,7 +23,7 @@ inline void expect_more_time(const std::atomic<bool>* stop) {
     if (stop != nullptr && *stop) throw Stopped();
 }
 
-/// What the level of intervals refers to.
+/// The intervals that a level refers to.
 enum class LevelOf {
     entry,   ///< each entry by itself
     matrix,  ///< all entries and row sums at once

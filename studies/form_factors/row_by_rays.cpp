@@ -22,7 +22,7 @@ constexpr double margin = 1.33;
 /// A sequence has at most 2^32 points.
 constexpr double most_points_of_sequence = 0x1p31;
 
-/// With fewer hits or misses than this, half widths are assumed to fall at `rate_of_rare`.
+/// Half widths are assumed to fall at `rate_of_rare` with fewer hits or misses than this.
 constexpr std::uint64_t few = 100;
 
 double rate_of_hits(const SampledShare& share) {

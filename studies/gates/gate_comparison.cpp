@@ -38,8 +38,8 @@ MeanReference mean_reference(const Gate& gate, const Effect& effect, const std::
     return {.value = effect.truth.value_or(0)};
 }
 
-/// What is known of the values whose mean a gate judges. Reciprocity is about the difference of one factor and another
-/// one times the ratio of the areas: each of them may have missed something.
+/// The known limits of the values whose mean a gate judges. Reciprocity is about the difference of one factor and
+/// another one times the ratio of the areas: each of them may have missed something.
 stats::KnownLimits limits_of(const Gate& gate, const StudyPlan& plan, const Effect& effect,
                              const CellEstimates& estimates) {
     const auto [kind, from, to] = effect.quantity;

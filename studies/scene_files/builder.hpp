@@ -20,7 +20,7 @@ namespace ff::studies {
 /// Least area of a surface relative to its squared extent.
 inline constexpr double least_share_of_area = 1e-12;
 
-/// What is done with a polygon that cannot be used as it is: it is left out, divided or turned round.
+/// Why a polygon cannot be used as it is, but is left out, divided or turned round.
 enum class PolygonChange { no_area, twice, bent, concave, turned };
 
 /// The largest distance of a corner from the first.

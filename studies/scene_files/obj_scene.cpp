@@ -25,7 +25,7 @@ namespace {
 constexpr char up_in_scenes = 'z';
 constexpr std::string_view before_scale = "scale ";
 
-/// What a polygon belongs to, as numbers of names.
+/// The group, object and material of a polygon, as numbers of names.
 struct Owners {
     std::size_t group = 0;     ///< name given by `g`, or by `o` where there is none
     std::size_t object = 0;    ///< name given by `o`

@@ -63,7 +63,7 @@ std::string with_obj_comment(std::string_view text, std::string_view comment);
 /// Whether a file of that name is read as OBJ.
 bool is_read_as_obj(std::string_view name);
 
-/// What a scene file states about a face besides its shape.
+/// The statements of a scene file about a face besides its shape.
 struct FaceMaterial {
     std::vector<std::string> names;    ///< names of its materials (usemtl), in order; a face may have several
     std::vector<double> emissivities;  ///< emissivities of its surfaces (.vs3), each different value once

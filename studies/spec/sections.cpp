@@ -24,7 +24,7 @@ bool within(double value, double most) {
     return value == 0 || (value >= least_nonzero && value <= most);
 }
 
-/// What is wrong with a list of numbers; empty where it is valid.
+/// The problem with a list of numbers; empty where it is valid.
 std::string problem_with_reflectance(const std::vector<double>& reflectance) {
     for (const double value : reflectance) {
         if (value >= 1) return fmt::format("({} is 1 or more: light that nothing absorbs piles up). Try 0.99.", value);

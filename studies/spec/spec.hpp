@@ -83,7 +83,7 @@ struct Published {
     auto operator<=>(const Published&) const = default;
 };
 
-/// What to do with a method in a scene in which it cannot be used.
+/// The treatment of a method in a scene in which it cannot be used.
 enum class Inapplicable {
     refuse,  ///< refuse the study
     skip,    ///< leave the method out there, with a warning

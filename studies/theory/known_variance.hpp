@@ -40,7 +40,7 @@ VarianceStatus known_variance(const Method& method, const Scene& scene, Quantity
 /// @param lattice  1 / rays of a trial; empty where nothing is counted
 bool too_few_hits(std::optional<double> lattice, std::optional<double> reference, std::size_t trials);
 
-/// What theory knows of a trial's estimate, as the rule for means needs it (stats/means/mean_test.hpp). How much one
+/// The limits of a trial's estimate that theory knows, for the rule for means (stats/means/mean_test.hpp). How much one
 /// part can move it: the largest value of an evaluation over the number of independent ones; infinite where values have
 /// no known bound, and for quantities other than form factors. What the evaluations of all trials may have missed:
 /// shadows, edges and peaks, for form factors.

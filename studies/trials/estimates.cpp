@@ -25,7 +25,7 @@ std::vector<double> direct_values(const Store& store, std::size_t cell, const Di
     return std::move(series.value);
 }
 
-/// For each pair of faces, the number of rays of the face that was shot from.
+/// The number of rays from the face that was shot from, for each pair of faces.
 std::vector<double> rays_of_pairs(const CellEstimates& estimates, const Scene& scene, Completion completion) {
     const Eigen::VectorXd of_face = static_cast<double>(estimates.evaluations_per_face) * parts_a_surface(scene);
     std::vector<double> rays;

@@ -46,7 +46,7 @@ struct DirectEstimates {
 /// The estimates of a cell, completed. Only pairs with from < to are used under reciprocal completion.
 CellEstimates complete(const StudyPlan& plan, std::size_t cell, Completion completion, DirectEstimates direct);
 
-/// What theory knows of a quantity's estimates in all trials of the cell (studies/theory/known_variance.hpp).
+/// The limits that theory knows for a quantity in all trials of the cell (studies/theory/known_variance.hpp).
 stats::KnownLimits known_limits(const StudyPlan& plan, const CellEstimates& estimates, Quantity quantity);
 
 /// Reads the direct estimates of a cell and completes them by its method. The same rays serve both completions.

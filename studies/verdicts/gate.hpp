@@ -27,7 +27,7 @@ inline constexpr double smallest_magnitude = 1e-75;
 inline constexpr double smallest_alpha = 1e-12;
 inline constexpr double smallest_shared_alpha = 1e-14;
 
-/// What a gate checks. Each comment states the effect that its band refers to.
+/// The property that a gate checks. Each comment states the effect that its band refers to.
 enum class GateKind {
     bias,         ///< mean estimate minus reference
     std,          ///< standard deviation of a trial over the reference
@@ -133,7 +133,7 @@ struct Gate {
     [[nodiscard]] bool from_estimates() const { return !quantity.empty(); }
 };
 
-/// What a bands file says.
+/// The contents of a bands file.
 struct Spec {
     std::string name;     ///< name of the file, without folder and extension
     double alpha = 1e-4;  ///< family-wise risk of a failure anywhere in the file where all effects are in their bands

@@ -31,7 +31,7 @@ Eigen::MatrixXd unoccluded_factors(const Scene& scene) {
     return factors;
 }
 
-/// What two points would exchange if nothing hid one from the other; 0 unless something does.
+/// The kernel that two points lose because something hides one from the other; 0 where nothing does.
 double hidden(const PatchPair& pair, const SurfacePoint& from, const SurfacePoint& to) {
     const Eigen::Vector3d apart = to.position - from.position;
     const double leaving = apart.dot(from.normal);

@@ -21,7 +21,7 @@ constexpr EstimatorInfo two_ways(EstimatorInfo info) {
     return info;
 }
 
-/// What the estimators of both heuristics have in common.
+/// The common part of the estimators with either heuristic.
 class TwoWays : public SceneEstimator {
   public:
     /// A ray counts almost 1 where it meets a target that is small from there.
@@ -30,7 +30,7 @@ class TwoWays : public SceneEstimator {
     using SceneEstimator::SceneEstimator;
 
   protected:
-    /// The same bits on every CPU, but for rays to round surfaces: there azimuths are rounded as the C library does it.
+    /// Gives the same bits on every CPU, except for rays to round surfaces: the C library rounds their azimuths.
     [[nodiscard]] Eigen::MatrixXd estimate(const EstimatorTask& task, Heuristic heuristic) const;
 };
 
