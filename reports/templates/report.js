@@ -1,6 +1,6 @@
 "use strict";
 
-// Draws the pictures of the report as they come into view, and gives each its controls: isolate a series, choose what is
+// Draws the pictures of the report as they come into view, and gives each its controls: show only some methods, choose what is
 // shown, save as SVG, read the data as a table.
 (() => {
   const read = node => JSON.parse(node.textContent);
@@ -38,12 +38,12 @@
     const buttons = names.map(name => element("button", {type: "button", textContent: name, ariaPressed: "false"}));
     for (const button of buttons) {
       button.addEventListener("click", () => {
-        const isolate = button.ariaPressed === "false";
-        for (const other of buttons) other.ariaPressed = String(other === button && isolate);
-        view.signal("isolate", isolate ? button.textContent : "").run();
+        button.ariaPressed = String(button.ariaPressed === "false");
+        const pressed = buttons.filter(each => each.ariaPressed === "true");
+        view.signal("isolate", pressed.map(each => each.textContent)).run();
       });
     }
-    controls.append(element("span", {textContent: "Show alone:"}), ...buttons);
+    controls.append(element("span", {textContent: "Show only:"}), ...buttons);
   }
 
   function addChoice(controls, view, {signal, label, values}) {

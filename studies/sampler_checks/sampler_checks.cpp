@@ -82,6 +82,7 @@ struct Tested {
     double worst = 0;  ///< effect that must not be missed
     std::string what;
     std::string sharper = "take more trials";  ///< how to detect less
+    std::optional<double> effect = {};         ///< effect that was measured, where it is one number
 };
 
 Tested equally_likely(std::string name, const std::vector<std::uint64_t>& counts, std::uint64_t draws,
@@ -108,6 +109,7 @@ Tested constant_mean(std::string name, const std::vector<double>& means, double 
     const auto trials = static_cast<double>(means.size());
     Tested test{std::move(name), 1, 1, worst_bias, "biased by", "take more trials or points"};
     if (std::abs(v - 1) > rounding_of_means) {
+        test.effect = v - 1;
         test.p = std::pow(v < 1 ? (largest - 1) / (largest - v) : 1 / v, trials - 1);
     } else {
         test.detectable = std::max(1.0, largest - 1) * (1 - std::pow(1 - risks.power, 1 / trials));
@@ -124,7 +126,8 @@ Tested unbiased_mean(std::string name, const std::vector<double>& means, double 
             mean ? stats::minimum_detectable_bias(sigma, means.size(), risks) : 1.0,
             worst_bias,
             "biased by",
-            "take more trials or points"};
+            "take more trials or points",
+            mean ? std::optional(mean->difference) : std::nullopt};
 }
 
 Tested independent_trials(std::string name, const std::vector<double>& means, stats::Risks risks) {
@@ -260,7 +263,8 @@ SamplerChecks check_sampler(const samplers::CatalogueEntry& sampler, const Sampl
              failed  ? SamplerVerdict::fail
              : sharp ? SamplerVerdict::pass
                      : SamplerVerdict::inconclusive,
-             failed ? fmt::format("p = {:.2g} after Holm", adjusted[i])
+             failed ? fmt::format("{}p = {:.2g} after Holm",
+                                  test.effect ? fmt::format("{} {:.2g}, ", test.what, *test.effect) : "", adjusted[i])
                     : fmt::format("would be seen if {} {:.2g}{}", test.what, test.detectable,
                                   sharp ? "" : fmt::format("; {} is required, {}", test.worst, test.sharper))});
     }

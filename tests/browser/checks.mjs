@@ -78,12 +78,17 @@ export async function isolation(page) {
     .filter(figure => figure.querySelectorAll('button[aria-pressed]').length > 1).map(figure => figure.id));
   if (ids.length === 0) return ['no picture has series to show alone'];
   for (const id of ids) {
-    const button = await page.$(`#${id} button[aria-pressed]`);
-    await button.focus();
-    await page.keyboard.press('Enter');
-    if (await faint(id) === 0) problems.push(`${id}: isolating a series changes nothing`);
-    await page.keyboard.press('Enter');
-    if (await faint(id) > 0) problems.push(`${id}: the other series do not come back`);
+    const [first, second] = await page.$$(`#${id} button[aria-pressed]`);
+    const press = async button => {
+      await button.focus();
+      await page.keyboard.press('Enter');
+      return faint(id);
+    };
+    const alone = await press(first);
+    if (alone === 0) problems.push(`${id}: isolating a series changes nothing`);
+    if (alone > 0 && await press(second) >= alone) problems.push(`${id}: a second series does not come back beside the first`);
+    await press(first);
+    if (alone > 0 && await press(second) > 0) problems.push(`${id}: the other series do not come back`);
   }
   return problems;
 }
