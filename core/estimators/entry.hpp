@@ -10,6 +10,10 @@ namespace ff {
 ///     T(const Scene&, TracerChoice);                                  // refusal() has been asked
 ///     void observe(const EstimatorTask&, Outcome&, PatchTotals&) const;
 ///
+/// and, where `info.own_points`, what is wrong with a size,
+///
+///     static std::string size_problem(std::uint64_t samples);
+///
 /// and optionally
 ///
 ///     static double nanoseconds(const EstimatorOptions&, const Scene&);    // in place of what `info` says
@@ -22,8 +26,6 @@ class SceneEstimator {
 
     /// Why the estimator cannot be used, beyond what follows from `info`; empty: it can.
     static std::string refusal(const EstimatorOptions& /*options*/, const Scene& /*scene*/) { return {}; }
-    /// What is wrong with a size; only estimators with points of their own say so.
-    static std::string size_problem(std::uint64_t /*samples*/) { return {}; }
     static bool finite_variance(const EstimatorOptions& /*options*/, const Scene& /*scene*/, int /*from*/, int /*to*/) {
         return true;
     }
@@ -60,14 +62,19 @@ std::string refused(const EstimatorInfo& info, const Scene& scene, std::string_v
 /// The catalogue's line for estimator T.
 template <class T>
 EstimatorEntry estimator_entry() {
-    static_assert(!T::info.own_points || T::size_problem != SceneEstimator::size_problem);
     return {.info = T::info,
             .refusal =
                 [](const EstimatorOptions& options, const Scene& scene) {
                     std::string general = refusal_of(T::info, scene);
                     return general.empty() ? T::refusal(options, scene) : general;
                 },
-            .size_problem = T::size_problem,
+            .size_problem = [](std::uint64_t samples) -> std::string {
+                if constexpr (T::info.own_points) {
+                    return T::size_problem(samples);
+                } else {
+                    return {};
+                }
+            },
             .nanoseconds =
                 [](const EstimatorOptions& options, const Scene& scene) {
                     if constexpr (requires { T::nanoseconds(options, scene); }) {
