@@ -2,6 +2,7 @@
 
 #include "core/estimators/added.hpp"
 #include "core/support/contract.hpp"
+#include "reports/words/answer.hpp"
 #include "reports/words/findings/standing.hpp"
 #include "samplers/outside/added.hpp"
 #include "samplers/sampler.hpp"
@@ -70,6 +71,14 @@ std::set<std::size_t> coloured(const StudyResults& results, const MethodChoice& 
         return method.sampler == samplers::yardstick().name;
     });
     if (random != methods.end()) add(static_cast<std::size_t>(random - methods.begin()));
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+        if (is_of_user(methods[i])) add(i);
+    }
+    for (const Ranking& ranking : answer(results).finding.rankings) {
+        for (const RankedMethod& row : ranking.methods) {
+            if (std::ranges::find(ranking.leaders, row.label) != ranking.leaders.end()) add(row.method);
+        }
+    }
     const auto ranks = mean_ranks(results);
     std::vector<std::size_t> order;
     for (const auto& [method, rank] : ranks) order.push_back(method);
@@ -77,9 +86,6 @@ std::set<std::size_t> coloured(const StudyResults& results, const MethodChoice& 
                      [&](std::size_t a, std::size_t b) { return ranks.at(a) < ranks.at(b); });
     order.resize(std::min(order.size(), most_emphasised));
     for (const std::size_t method : order) add(method);
-    for (std::size_t i = 0; i < methods.size(); ++i) {
-        if (is_of_user(methods[i])) add(i);
-    }
     return chosen;
 }
 

@@ -19,7 +19,8 @@ struct MethodStyle {
 };
 
 /// One for each method, in the order of the study. With more than seven, colours go to the ones that a publication
-/// compares, the random reference, the three best-ranked and the user's own, as long as there are colours.
+/// compares, the random reference, the user's own, those that the answer names and the three best-ranked, as long as
+/// there are colours.
 std::vector<MethodStyle> method_styles(const studies::StudyResults& results, const MethodChoice& choice = {});
 
 /// The scales "color" and "shape" of a picture, for Picture::values.

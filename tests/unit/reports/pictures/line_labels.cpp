@@ -1,5 +1,10 @@
 #include "reports/pictures/method_styles.hpp"
 
+#include "reports/words/answer.hpp"
+#include "tests/support/studies.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -66,6 +71,31 @@ TEST(LineLabels, StayWhereNothingIsNear) {
 TEST(LineLabels, LeaveTheAxisAloneWhereNothingIsDrawn) {
     const json values = set(lines_of({}, HeightAxis::logarithmic));
     EXPECT_FALSE(values["scales"].contains("y"));
+}
+
+// Of ten methods five err alike and less than the others: the answer names all of them.
+TEST(MethodStyles, AreInColourForEveryMethodThatTheAnswerNames) {
+    std::string methods;
+    for (int i = 0; i < 10; ++i) {
+        methods += fmt::format(
+            "[[method]]\nname = \"m{}\"\nsampler = \"sobol\"\nestimator = \"ray_shooting\"\nsamples_per_patch = 4096\n",
+            i);
+    }
+    const auto store = test::fill(test::plan_of(test::study_text("trials = 64", methods)),
+                                  [](std::size_t cell, std::uint64_t trial, int from, int to) {
+                                      const auto pair = static_cast<std::size_t>(6 * from + to);
+                                      const std::size_t mixed = (cell + 1) * 2654435761u ^ (trial + 1) * 40503u * pair;
+                                      const double sign = mixed >> 7 & 1u ? 1 : -1;
+                                      return 0.2 + sign * (cell < 5 ? 0.05 : 0.005);
+                                  });
+    const auto results = studies::evaluate(store);
+    const auto rankings = answer(results).finding.rankings;
+    ASSERT_FALSE(rankings.empty());
+    EXPECT_THAT(rankings.front().leaders, testing::UnorderedElementsAre("m5", "m6", "m7", "m8", "m9"));
+    for (const MethodStyle& style : method_styles(results)) {
+        const bool is_named = style.method >= "m5";
+        EXPECT_TRUE(style.in_colour || !is_named) << style.method;
+    }
 }
 
 }  // namespace
