@@ -43,15 +43,16 @@ MeanEvidence mean_of(std::span<const double> values, double reference) {
 
 /// How far a mean may be off on one side, except with probability `tail`.
 double reach_of(const MeanEvidence& mean, int side, double tail) {
-    return mean.reach_of_met(side, tail) + mean.unmet.reach(mean.unmet.tail_of_unmet(tail)) + mean.rounding;
+    return mean.reach_of_met(side, tail) + mean.unmet.reach(mean.unmet.tail_of_unmet(tail)) + mean.rounding +
+           (side > 0 ? mean.unseen : 0);
 }
 
 double reach_of(const Measured::Part& part, int side, double tail) {
     const int of_mean = part.weight < 0 ? -side : side;
     const MeanEvidence& mean = part.mean;
-    // Values that no evaluation has met can only increase a mean square.
-    const double reach =
-        mean.reach_of_met(of_mean, tail) + (of_mean > 0 ? mean.unmet.reach(mean.unmet.tail_of_unmet(tail)) : 0);
+    double reach = mean.reach_of_met(of_mean, tail);
+    // Values that no evaluation has met, or that few trials do not show, can only increase a mean square.
+    if (of_mean > 0) reach += mean.unmet.reach(mean.unmet.tail_of_unmet(tail)) + mean.unseen;
     const double weight = std::abs(part.weight);
     return weight * (part.logarithm ? gate::reach_of_logarithm(of_mean, reach / mean.difference) : reach);
 }

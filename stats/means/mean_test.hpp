@@ -55,6 +55,7 @@ struct MeanEvidence {
     gate::MeanSkewness skewness;
     Unmet unmet = {};         ///< adds to what the standard error says; both then share a tail
     double rounding = 0;      ///< adds to it in any case
+    double unseen = 0;        ///< adds above the mean in any case: what so few values of a long upper tail may not show
     std::string_view method;  ///< how intervals are found: "skewed_t", "skewed_welch_t" or "stein_two_stage"
     std::size_t n = 0;        ///< values behind it
 
@@ -128,9 +129,9 @@ struct Measured {
     [[nodiscard]] bool is_exact() const { return parts.empty(); }
 
     /// How far the truth may be above (side 1) or below (side -1) the value, except with probability `tail`. Reaches of
-    /// parts, each by the rule for means, are added as squares [zou2008]; what all evaluations may have missed adds to
-    /// the upper one of a mean. Infinite where the trials of a part are too
-    /// few or too skewed.
+    /// parts, each by the rule for means, are added as squares [zou2008]; what all evaluations may have missed, and what
+    /// so few values may not show, adds to the upper one of a mean. Infinite where the trials of a part are too few or
+    /// too skewed.
     [[nodiscard]] double reach(int side, double tail) const;
 };
 

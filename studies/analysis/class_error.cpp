@@ -47,6 +47,19 @@ std::optional<stats::Interval> positive_interval(const stats::MeanEvidence& mean
     return interval.low > 0 && interval.is_finite() ? std::optional(interval) : std::nullopt;
 }
 
+/// The mean over trials of mean squares over some pairs. Squares of skewed errors have a tail so long that dozens of
+/// them may all lie below their mean: a mean of fewer than a hundred may have to be larger by the share that is missing
+/// (chosen by simulation; docs/statistics.md).
+std::optional<stats::MeanEvidence> mean_of_squares(std::span<const double> squares, std::size_t pairs,
+                                                   const stats::Unmet& unmet) {
+    constexpr double enough = 100;
+    auto mean = stats::mean_evidence(squares, 0);
+    if (!mean) return std::nullopt;
+    mean->unmet = unmet;
+    mean->unseen = mean->difference * std::max(0.0, enough / static_cast<double>(squares.size() * pairs) - 1);
+    return mean;
+}
+
 void add_variance(std::span<const double> errors, double level, const stats::Unmet& unmet, ClassError& found) {
     const auto deviations = trial_means(squared_deviations(errors, pair_means(errors, found.pairs)), found.pairs);
     const auto squares = stats::moments_of(deviations);
@@ -55,9 +68,8 @@ void add_variance(std::span<const double> errors, double level, const stats::Unm
     const double unbiased = trials / (trials - 1);
     found.variance = *squares.mean() * unbiased;
     if (found.trials < stats::fewest_replicates) return;
-    found.squared_deviation = stats::mean_evidence(deviations, 0);
+    found.squared_deviation = mean_of_squares(deviations, found.pairs, unmet);
     if (!found.squared_deviation) return;
-    found.squared_deviation->unmet = unmet;
     found.variance_interval = positive_interval(*found.squared_deviation, level);
     if (!found.variance_interval) return;
     found.variance_interval->low *= unbiased;
@@ -78,9 +90,8 @@ void add_efficiency(std::span<const double> squares, double level, const stats::
     const auto evaluations = static_cast<double>(found.evaluations);
     found.efficiency = 1 / (found.rmse * found.rmse * evaluations);
     if (squares.size() < stats::fewest_replicates) return;
-    found.mean_square = stats::mean_evidence(squares, 0);
+    found.mean_square = mean_of_squares(squares, found.pairs, unmet);
     if (!found.mean_square) return;
-    found.mean_square->unmet = unmet;
     const auto interval = positive_interval(*found.mean_square, level);
     if (!interval) return;
     found.interval = stats::square_root(*interval);

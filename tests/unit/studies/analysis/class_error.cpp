@@ -53,9 +53,19 @@ TEST_F(ClassErrors, HaveTheIntervalOfTheMeanOverTrials) {
     ASSERT_TRUE(error && error->interval);
     const auto squares = stats::mean_interval(std::array{1e-6, 4e-6, 9e-6, 16e-6, 25e-6}, 0, 0.5);
     EXPECT_NEAR(error->interval->low, std::sqrt(squares->low), 1e-9);
-    EXPECT_NEAR(error->interval->high, std::sqrt(squares->high), 1e-9);
+    EXPECT_NEAR(error->interval->high, std::sqrt(squares->high), 1e-9);  // 24 pairs in 5 trials are more than 100
     ASSERT_TRUE(error->efficiency_interval);
     EXPECT_NEAR(error->efficiency_interval->low * error->interval->high * error->interval->high, 0.01, 1e-9);
+}
+
+TEST(FewSquares, MayAllLieBelowTheirMean) {
+    const std::array errors{1e-3, 2e-3, 3e-3, 4e-3, 5e-3};
+    const auto squares = stats::mean_interval(std::array{1e-6, 4e-6, 9e-6, 16e-6, 25e-6}, 0, 0.5);
+    const auto error = class_error_of(errors, 1, 100, VarianceStatus::finite, 0.5);
+    ASSERT_TRUE(error.interval);
+    EXPECT_NEAR(error.interval->low, std::sqrt(squares->low), 1e-9);
+    // Five of a hundred squares: as if the mean 11e-6 might be 20 times as large.
+    EXPECT_NEAR(error.interval->high, std::sqrt(squares->high + 19 * 11e-6), 1e-9);
 }
 
 TEST_F(ClassErrors, HaveBiasAndVarianceOfTheTrials) {
