@@ -84,7 +84,7 @@ double factor_tolerance_of(const HeatCommand& command) {
         *command.tolerance);
 }
 
-ExitCode heat(const HeatCommand& command) {
+ExitCode find_flows(const HeatCommand& command) {
     if (!(command.scale >= 1e-9 && command.scale <= 1e9))
         throw UserError("--scale {} (1e-9 to 1e9 metres). Write 0.001 for millimetres.", command.scale);
     const bool is_loaded = !command.factors.load.empty();
@@ -115,6 +115,10 @@ ExitCode heat(const HeatCommand& command) {
     const auto flows = sampled ? std::move(sampled->flows)
                                : studies::heat::find_flows(kept.scene, kept.matrix, materials, command.scale);
     const reports::HeatReport report{kept.scene, kept.request, materials, flows, sampled ? &*sampled : nullptr};
+    if (const auto widened = reports::widened_rows(report)) {
+        say("note: {}\n", *widened);
+        warnings.push_back(*widened);
+    }
     if (!command.factors.quiet) print_folded(reports::heat_text(report, style_of_stdout()));
     if (out) {
         out->write("heat.csv", [&](std::ostream& file) { reports::write_heat_csv(file, report); });
@@ -129,6 +133,15 @@ ExitCode heat(const HeatCommand& command) {
     if (by_signal) return ExitCode::interrupted;
     const bool trusted = studies::form_factors::is_trusted(kept.scene, kept.matrix, kept.request.tolerance);
     return trusted && flows.within(tolerance) ? ExitCode::passed : ExitCode::inconclusive;
+}
+
+ExitCode heat(const HeatCommand& command) {
+    try {
+        return find_flows(command);
+    } catch (const studies::heat::ImpossibleRow& row) {
+        say("ffstudy: {}\n", row.what());
+        return ExitCode::inconclusive;
+    }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,5 +32,8 @@ struct FormFactorReport {
 
 /// Sentences about suspicious findings: row sums of closed scenes that exclude 1, lost rays, contradictions.
 std::vector<std::string> form_factor_warnings(const FormFactorReport& report);
+
+/// A sentence about faces whose intervals had to be widened; empty where there are none.
+std::optional<std::string> widened_rows(const HeatReport& report);
 
 }  // namespace ff::reports

@@ -129,9 +129,9 @@ struct Measured {
     [[nodiscard]] bool is_exact() const { return parts.empty(); }
 
     /// How far the truth may be above (side 1) or below (side -1) the value, except with probability `tail`. Reaches of
-    /// parts, each by the rule for means, are added as squares [zou2008]; what all evaluations may have missed, and what
-    /// so few values may not show, adds to the upper one of a mean. Infinite where the trials of a part are too few or
-    /// too skewed.
+    /// parts, each by the rule for means, are added as squares [zou2008]; what all evaluations may have missed, and
+    /// what so few values may not show, adds to the upper one of a mean. Infinite where the trials of a part are too
+    /// few or too skewed.
     [[nodiscard]] double reach(int side, double tail) const;
 };
 

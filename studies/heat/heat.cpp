@@ -2,6 +2,8 @@
 
 #include "core/radiosity/flow_bounds.hpp"
 #include "core/support/error.hpp"
+#include "stats/basics/distributions.hpp"
+#include "studies/form_factors/sampled_row.hpp"
 
 #include <fmt/format.h>
 
@@ -31,7 +33,8 @@ double emitted_by(const Material& material) {
 
 /// Intervals of the factors, and of what they leave. Every row of a closed scene whose surfaces all belong to faces
 /// adds up to 1; otherwise what is left is seen through openings, or lies on surfaces of no face.
-FactorBounds factor_bounds(const Scene& scene, const form_factors::Matrix& matrix) {
+/// @param widths  factor on the widths of a face's sampled factors, at least 1
+FactorBounds factor_bounds(const Scene& scene, const form_factors::Matrix& matrix, const std::vector<double>& widths) {
     const auto n = static_cast<Index>(matrix.faces());
     std::vector<Eigen::Triplet<double>> low;
     std::vector<Eigen::Triplet<double>> high;
@@ -40,9 +43,10 @@ FactorBounds factor_bounds(const Scene& scene, const form_factors::Matrix& matri
         high.emplace_back(i, j, std::clamp(most, 0.0, 1.0));
     };
     for (const form_factors::FaceExchange& exchange : matrix.exchanges) {
-        const auto set_from = [&](Index i, Index j, double area) {
-            set(i, j, exchange.low / area, exchange.high / area);
-        };
+        const double width = exchange.is_sampled() ? std::max(widths[exchange.from], widths[exchange.to]) : 1;
+        const double least = exchange.low - (width - 1) * (exchange.value - exchange.low);
+        const double most = exchange.high + (width - 1) * (exchange.high - exchange.value);
+        const auto set_from = [&](Index i, Index j, double area) { set(i, j, least / area, most / area); };
         set_from(exchange.from, exchange.to, matrix.areas[exchange.from]);
         if (exchange.from != exchange.to) set_from(exchange.to, exchange.from, matrix.areas[exchange.to]);
     }
@@ -55,6 +59,35 @@ FactorBounds factor_bounds(const Scene& scene, const form_factors::Matrix& matri
     bounds.low.setFromTriplets(low.begin(), low.end());
     bounds.high.setFromTriplets(high.begin(), high.end());
     return bounds;
+}
+
+/// How much wider the intervals of all sampled factors are if one of them misses with a probability of 1e-6. The
+/// intervals are Student's.
+double widest(const form_factors::Matrix& matrix) {
+    constexpr double chance = 1e-6;
+    constexpr auto freedom = static_cast<double>(form_factors::randomisations - 1);
+    const auto sampled = std::ranges::count_if(matrix.exchanges, &form_factors::FaceExchange::is_sampled);
+    const double tail = (1 - matrix.entry_level) / 2;
+    const double smaller = chance / 2 / static_cast<double>(std::max<std::ptrdiff_t>(1, sampled));
+    return tail <= smaller ? 1 : stats::student_critical(freedom, smaller) / stats::student_critical(freedom, tail);
+}
+
+/// Intervals of the factors in which all rows can add up to 1, if chance explains those that cannot.
+struct PossibleFactors {
+    FactorBounds bounds;
+    std::vector<std::size_t> widened;  ///< rows
+};
+
+PossibleFactors possible_factors(const Scene& scene, const form_factors::Matrix& matrix) {
+    std::vector<double> widths(matrix.faces(), 1.0);
+    PossibleFactors factors{factor_bounds(scene, matrix, widths), {}};
+    for (std::size_t i = 0; i < matrix.faces(); ++i) {
+        if (can_add_up(factors.bounds, static_cast<Index>(i))) continue;
+        widths[i] = widest(matrix);
+        factors.widened.push_back(i);
+    }
+    if (!factors.widened.empty()) factors.bounds = factor_bounds(scene, matrix, widths);
+    return factors;
 }
 
 bool sees_out(const FactorBounds& factors) {
@@ -70,9 +103,9 @@ void expect_solvable(const Scene& scene, const FactorBounds& factors, const Face
     const Index n = factors.low.rows();
     for (Index i = 0; i < n; ++i) {
         if (!can_add_up(factors, i))
-            throw UserError(
-                "scene '{}': the form factors of face '{}' cannot add up to 1 (between {:.6g} and "
-                "{:.6g}). See the warnings of 'ffstudy form-factors' on this scene.",
+            throw ImpossibleRow(
+                "scene '{}': the form factors of face '{}' cannot add up to 1 (between {:.6g} and {:.6g}, with a "
+                "probability of 0.999999). See the warnings of 'ffstudy form-factors' on this scene.",
                 scene.name, face(i), factors.low.row(i).sum(), factors.high.row(i).sum());
         if (!materials.surroundings && !materials.are_light() && factors.high.coeff(i, n) > 0)
             throw UserError(
@@ -170,11 +203,12 @@ bool Flows::are_at_rest() const {
 }
 
 Flows find_flows(const Scene& scene, const form_factors::Matrix& matrix, const Materials& materials, double scale) {
-    const FactorBounds factors = factor_bounds(scene, matrix);
+    const auto [factors, widened] = possible_factors(scene, matrix);
     const FaceLaws laws = laws_of(materials);
     expect_solvable(scene, factors, laws, materials);
     const IrradiationBounds irradiation = bound_irradiation(factors, laws);
     Flows found;
+    found.widened = widened;
     Bounds sum;
     for (std::size_t i = 0; i < matrix.faces(); ++i) {
         const auto row = static_cast<Index>(i);
@@ -195,7 +229,7 @@ Flows find_flows(const Scene& scene, const form_factors::Matrix& matrix, const M
 
 std::vector<GebhartFactor> find_gebhart_factors(const Scene& scene, const form_factors::Matrix& matrix,
                                                 const Materials& materials) {
-    const FactorBounds factors = factor_bounds(scene, matrix);
+    const FactorBounds factors = possible_factors(scene, matrix).bounds;
     const auto n = static_cast<Index>(matrix.faces());
     const bool open = sees_out(factors);
     const auto columns = static_cast<std::size_t>(open ? n + 1 : n);

@@ -53,11 +53,12 @@ struct FaceFlow {
 
 struct Flows {
     std::vector<FaceFlow> faces;
-    Bounds balance;                ///< W: all powers together
-    bool reaches_outside = false;  ///< what the balance leaves is for the surroundings; otherwise it is 0
-    double throughput = 0;         ///< W: all that the faces give off, at the middles
-    double emitted = 0;            ///< W: what they emit, before any of it is reflected or comes back
-    double worst = 0;              ///< W: largest half width of a power
+    Bounds balance;                    ///< W: all powers together
+    bool reaches_outside = false;      ///< what the balance leaves is for the surroundings; otherwise it is 0
+    double throughput = 0;             ///< W: all that the faces give off, at the middles
+    double emitted = 0;                ///< W: what they emit, before any of it is reflected or comes back
+    double worst = 0;                  ///< W: largest half width of a power
+    std::vector<std::size_t> widened;  ///< faces whose factors could add up to 1 in wider intervals only
 
     /// Nothing is exchanged, up to rounding, as between faces of one temperature: no power is shown to differ from 0,
     /// and none can do so by more than a billionth of what is emitted.
@@ -65,6 +66,11 @@ struct Flows {
     [[nodiscard]] bool within(const FlowTolerance& tolerance) const {
         return worst <= tolerance.power(throughput) || are_at_rest();
     }
+};
+
+/// The factors of a face of a closed scene cannot add up to 1, by more than chance explains.
+class ImpossibleRow : public UserError {
+    using UserError::UserError;
 };
 
 /// It depends on factors whose intervals begin at 0 whether a face reaches one with a temperature.
@@ -79,10 +85,13 @@ FaceLaws laws_of(const Materials& materials);
 bool may_see_out(const Scene& scene);
 
 /// Solves the radiosity system of grey diffuse faces for all form factors within their intervals
-/// (core/radiosity/flow_bounds.hpp). @param matrix with intervals that hold all at once (LevelOf::matrix)
+/// (core/radiosity/flow_bounds.hpp). Where the sampled factors of a face cannot add up to 1, as may happen in a share
+/// 1 - level of all runs, their intervals are widened to what has a probability of 1e-6.
+/// @param matrix with intervals that hold all at once (LevelOf::matrix)
 /// @param scale metres per unit of length of the scene
-/// @throws UserError where a face's radiosity is not determined, the surroundings are needed and not given, the rows of
-///   a closed scene cannot add up to 1, or a flux leaves a face without a temperature
+/// @throws ImpossibleRow
+/// @throws UserError where a face's radiosity is not determined, the surroundings are needed and not given, or a flux
+///   leaves a face without a temperature
 Flows find_flows(const Scene& scene, const form_factors::Matrix& matrix, const Materials& materials, double scale);
 
 /// Where the emission of a face is finally absorbed.

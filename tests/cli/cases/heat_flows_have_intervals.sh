@@ -101,6 +101,18 @@ sed 's/temperature = [0-9.]*/temperature = 20/' materials.toml >celsius.toml
 ffstudy heat furnace.obj --materials celsius.toml --scale 0.001 --tolerance 0.01
 expect_stderr "20 °C would be 293.15 K"
 
+# Rows that miss 1 by chance, as all intervals at once do in one run of twenty, are widened; a hole is no chance.
+sphere() { printf '[[surface]]\nface = "%s"\nshape = "sphere"\ncentre = %s\nradius = %s\nfacing = "%s"\n' "$@"; }
+{ echo 'closed = true' && sphere outer '[0, 0, 0]' 2 inward && sphere inner '[0.7, 0.2, 0]' 1 outward; } >spheres.toml
+printf '[materials]\n"*" = { emissivity = 0.5, temperature = 300 }\ninner = { emissivity = 0.5, temperature = 400 }\n' >two.toml
+ffstudy heat spheres.toml --materials two.toml --tolerance 1e-3 --seed 7
+expect_status 0
+expect_stderr "note: the form factors of face 'outer' cannot add up to 1"
+{ echo 'closed = true' && sphere outer '[0, 0, 0]' 2 inward && sphere inner '[1.8, 0, 0]' 1 outward; } >hole.toml
+ffstudy heat hole.toml --materials two.toml --tolerance 1e-3
+expect_status 4
+expect_stderr "ffstudy: scene 'hole.toml': the form factors of face 'outer' cannot add up to 1"
+
 mv furnace.obj "$folder" && rm -r ./*
 refused() {
     printf '%b' "$1" >"$folder/wrong.toml"

@@ -84,8 +84,7 @@ RateTable measure_false_winners(const Repetitions& repetitions, std::uint64_t ti
             for (const std::size_t trials : {10u, 20u, 60u, 200u}) {
                 bench.add(fmt::format("apart: {} and {}, {} pair{}, {} trials", rivals.first.law.name,
                                       rivals.second.law.name, pairs, pairs == 1 ? "" : "s", trials),
-                          rivals.claim, 1 - study_level,
-                          [&rivals, pairs, trials](stats::Draws& draws) {
+                          rivals.claim, 1 - study_level, [&rivals, pairs, trials](stats::Draws& draws) {
                               const auto first = measured_error(rivals.first, 1, trials, pairs, draws);
                               const auto second = measured_error(rivals.second, 1, trials, pairs, draws);
                               return called_better(first, second, study_level) != 0;

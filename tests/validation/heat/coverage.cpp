@@ -81,10 +81,11 @@ bool all_hold(const Flows& found, const Flows& exact, double share) {
     return true;
 }
 
-/// Empty where intervals miss the factors by so much that no rows can add up to 1: the program then says so.
+/// Empty where intervals miss the factors by so much that some row cannot add up to 1: the program then says so.
 std::optional<Flows> flows_of(const Scene& scene, const form_factors::Matrix& matrix, const Materials& materials) {
     try {
-        return find_flows(scene, matrix, materials, 1);
+        Flows flows = find_flows(scene, matrix, materials, 1);
+        return flows.widened.empty() ? std::optional(std::move(flows)) : std::nullopt;
     } catch (const UserError&) {
         return std::nullopt;
     }
@@ -185,8 +186,8 @@ FlowCoverage measure_flow_coverage(const form_factors::FormFactorCoverageOptions
     coverage.flows.title = "Limits of flows";
     coverage.flows.text =
         "How often the limits of all powers and temperatures of a scene contain the exact ones at once. They allow for "
-        "all form factors within their intervals: rates above the level are intended. A run that refuses to answer, "
-        "because no rows within its intervals add up to 1, counts as a miss.";
+        "all form factors within their intervals: rates above the level are intended. A run that refuses to answer "
+        "or widens its intervals, because some row cannot add up to 1 within them counts as a miss.";
     coverage.narrower.title = "A tenth of these limits";
     coverage.narrower.text =
         "How often limits of a tenth of the width would contain them, which shows how cautious the limits are.";

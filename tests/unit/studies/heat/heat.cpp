@@ -96,6 +96,32 @@ outer = { emissivity = 0.5, temperature = 300 }
     }
 }
 
+/// The matrix of the spheres as if the samples of the outer one had missed by so many half widths of their interval.
+form_factors::Matrix spheres_missed_by(const Scene& scene, double half_widths) {
+    form_factors::Matrix matrix = factors_of(scene, 1e-3);
+    for (form_factors::FaceExchange& exchange : matrix.exchanges) {
+        if (!exchange.is_sampled()) continue;
+        const double miss = half_widths * (exchange.high - exchange.low) / 2;
+        for (double* value : {&exchange.value, &exchange.low, &exchange.high}) *value += miss;
+    }
+    return matrix;
+}
+
+TEST(HeatFlows, WidenIntervalsThatMissTheSumOfARowByChance) {
+    const Scene scene = make_scene(source_of_file("spheres.toml", spheres_toml));
+    const auto materials = read_materials(R"(
+[materials]
+inner = { emissivity = 0.8, temperature = 600 }
+outer = { emissivity = 0.5, temperature = 300 }
+)",
+                                          "m.toml", {scene.faces, {}});
+    EXPECT_TRUE(find_flows(scene, spheres_missed_by(scene, 0), materials, 1).widened.empty());
+    const Flows flows = find_flows(scene, spheres_missed_by(scene, 2.5), materials, 1);
+    EXPECT_EQ(flows.widened, std::vector<std::size_t>{1});
+    expect_within(flows.faces[0].power, two_surfaces(4 * std::numbers::pi, 0.8, 600, 16 * std::numbers::pi, 0.5, 300));
+    EXPECT_THROW(find_flows(scene, spheres_missed_by(scene, 10), materials, 1), ImpossibleRow);
+}
+
 TEST(HeatFlows, RecoverTheTemperatureFromItsFlux) {
     const Scene scene = make_scene(source_of_file("spheres.toml", spheres_toml));
     const double exact = two_surfaces(4 * std::numbers::pi, 0.8, 600, 16 * std::numbers::pi, 0.5, 300);
