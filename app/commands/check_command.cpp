@@ -175,6 +175,10 @@ ExitCode sweep(Check& check, const CheckSession& session) {
     const std::uint64_t seeds = check.command.seed_sweep;
     constexpr std::uint64_t most_seeds = 1'000'000;
     if (seeds > most_seeds) throw UserError("--seed-sweep {} (at most {} seeds). Take fewer.", seeds, most_seeds);
+    if (check.baseline)
+        throw UserError(
+            "--seed-sweep with --baseline (all seeds would share the error of one baseline, so that the rate of "
+            "failures says nothing of alpha). Give these gates a number as reference, or leave them out.");
     static_cast<void>(prepare(check, GatePurpose::check));
     OutputFolder folder = open_folder(out, {"seed_sweep.csv"});
     const std::uint64_t first = check.spec.seed.value;
@@ -218,7 +222,7 @@ ExitCode check_gates(const FullCheckCommand& command) {
     if (command.fresh_seed)
         session.print(
             fmt::format("fresh seed {}; again with --seed {}\n", check.spec.seed.value, check.spec.seed.value));
-    if (!command.again.empty()) static_cast<void>(describe_look(command, check.spec.seed.value));
+    if (!command.again.empty()) static_cast<void>(describe_look(command, check.spec));
     if (command.dry_run) return show_plan(check);
     if (!command.save_baseline.empty()) return save_baseline(check, session);
     if (command.seed_sweep > 0) return sweep(check, session);

@@ -2,6 +2,7 @@
 
 #include "core/geometry/scene.hpp"
 
+#include <array>
 #include <string_view>
 
 namespace ff {
@@ -13,6 +14,9 @@ enum class PairClass {
     adjacent,  ///< some of their surfaces meet along a line, as a rule a shared edge or part of one
     other,     ///< anything else; they may still share a corner
 };
+
+/// The classes of two different faces.
+inline constexpr std::array pair_classes{PairClass::parallel, PairClass::adjacent, PairClass::other};
 
 /// "self", "parallel", "adjacent" or "other".
 std::string_view name(PairClass pair_class);

@@ -186,7 +186,7 @@ std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std
     const studies::Analysis& findings = results.findings;
     std::vector<Picture> pictures;
     const auto styles = method_styles(results, methods);
-    for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+    for (const PairClass pair_class : pair_classes) {
         auto all = size_series(results, scene, pair_class);
         std::erase_if(all, [&](const SizeSeries& series) { return !methods.has(series.method); });
         if (all.empty() || (all.size() == 1 && all.front().points.size() == 1))

@@ -151,7 +151,7 @@ std::vector<Picture> errors_at_sizes(const studies::StudyResults& results, const
             const auto luck = std::stable_partition(cells.begin(), cells.end(), std::not_fn(is_luck));
             const std::vector<std::size_t> unranked(luck, cells.end());
             cells.erase(luck, cells.end());
-            for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+            for (const PairClass pair_class : pair_classes) {
                 const auto ranked = studies::rank_errors(findings, cells, pair_class, plan.spec.level);
                 const auto others = studies::rank_errors(findings, unranked, pair_class, plan.spec.level);
                 if (ranked.size() + others.size() < 2 || rows.full()) continue;
@@ -201,7 +201,7 @@ std::optional<Picture> claims_picture(const studies::StudyResults& results) {
     const MethodChoice all;
     RankingRows rows(results, all);
     std::string heading;
-    for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+    for (const PairClass pair_class : pair_classes) {
         for (const studies::ClaimedErrors& each : claims) {
             const studies::Cell& cell = plan.cells[each.cell];
             const std::string its_heading = heading_of(plan, cell.scene, pair_class);

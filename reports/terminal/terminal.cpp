@@ -105,7 +105,7 @@ std::string terminal_plots(const studies::StudyResults& results, const TextStyle
     const studies::StudyPlan& plan = results.findings.plan;
     std::string out;
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
-        for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+        for (const PairClass pair_class : pair_classes) {
             std::vector<SizeSeries> ladders = size_series(results, scene, pair_class);
             std::erase_if(ladders, [](const SizeSeries& s) { return s.ladders.empty() || s.points.size() <= 2; });
             // A single ladder is described by its slope.

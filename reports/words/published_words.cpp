@@ -204,7 +204,7 @@ std::string premise(const studies::StudyResults& results) {
         PrintedErrors worst;  // where print and computation differ most
         for (const std::size_t cell : cells) {
             if (!plan.cells[cell].deterministic) continue;
-            for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+            for (const PairClass pair_class : pair_classes) {
                 const PrintedErrors errors = printed_errors(results, cell, pair_class);
                 if (errors.differs && std::abs(errors.printed - errors.ours) > std::abs(worst.printed - worst.ours))
                     worst = errors;

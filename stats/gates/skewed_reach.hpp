@@ -17,11 +17,22 @@ struct MeanSkewness {
     double most = std::numeric_limits<double>::infinity();  ///< its largest size, where that is known from elsewhere
 };
 
+/// Standard error of the skewness of n normal values. @see [joanes1998]
+inline double normal_skewness_error(double n) {
+    const double m = std::max(3.0, n);
+    return std::sqrt(6 * m * (m - 1) / ((m - 2) * (m + 1) * (m + 3)));
+}
+
+/// MeanSkewness::insignificant of a mean of so many independent values.
+inline double insignificant_skewness(double n) {
+    constexpr double fewest_to_show = 30;  // values that can show symmetry
+    return n < fewest_to_show ? -std::numeric_limits<double>::infinity() : 2 * normal_skewness_error(n) / std::sqrt(n);
+}
+
 /// @param values     at least 3, not all equal
 /// @param effective  independent ones among them
 template <class Values>
 MeanSkewness skewness_of_mean(const Values& values, double effective) {
-    constexpr double fewest_to_show = 30;  // values that can show symmetry
     double n = 0;
     double sum = 0;
     for (const double value : values) {
@@ -44,14 +55,12 @@ MeanSkewness skewness_of_mean(const Values& values, double effective) {
         const double part = z * (z * z - 3) - third - 1.5 * third * (z * z - 1);
         influence += part * part;
     }
-    const double m = std::max(3.0, effective);
-    const double normal_error = std::sqrt(6 * m * (m - 1) / ((m - 2) * (m + 1) * (m + 3)));
     const double root = std::sqrt(effective);
     MeanSkewness skewness;
     skewness.value = third * std::sqrt(n * (n - 1)) / (n - 2) / root;
-    skewness.error = std::max(normal_error, std::sqrt(influence / n / m)) / root;
-    skewness.insignificant =
-        effective < fewest_to_show ? -std::numeric_limits<double>::infinity() : 2 * normal_error / root;
+    skewness.error =
+        std::max(normal_skewness_error(effective), std::sqrt(influence / n / std::max(3.0, effective))) / root;
+    skewness.insignificant = insignificant_skewness(effective);
     return skewness;
 }
 

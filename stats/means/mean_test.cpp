@@ -127,10 +127,10 @@ std::optional<MeanEvidence> difference_of_means(std::span<const double> first, s
     return a.standard_error + b.standard_error == 0 ? std::nullopt : std::optional(less(b, a));
 }
 
-MeanEvidence with_uncertain_reference(const MeanEvidence& mean, double standard_error, double freedom) {
+MeanEvidence with_uncertain_reference(const MeanEvidence& mean, double standard_error, double freedom,
+                                      const gate::MeanSkewness& skewness) {
     if (standard_error == 0) return mean;
-    return less(mean,
-                {.standard_error = standard_error, .freedom = freedom, .skewness = {.most = no_part}, .method = {}});
+    return less(mean, {.standard_error = standard_error, .freedom = freedom, .skewness = skewness, .method = {}});
 }
 
 Interval interval_of(const MeanEvidence& mean, double level) {
@@ -187,6 +187,15 @@ double Measured::reach(int side, double tail) const {
         squares += reach * reach;
     }
     return std::sqrt(squares);
+}
+
+double Measured::standard_error() const {
+    double error = 0;
+    for (const Part& part : parts) {
+        const MeanEvidence& mean = part.mean;
+        error = std::hypot(error, part.weight * mean.standard_error / (part.logarithm ? mean.difference : 1));
+    }
+    return error;
 }
 
 Measured logarithm_of(const MeanEvidence& mean, double scale) {

@@ -81,8 +81,9 @@ MeanEvidence mean_evidence_after(const Pilot& pilot, std::span<const double> val
 /// @return empty below three values in a sample, and where neither varies
 std::optional<MeanEvidence> difference_of_means(std::span<const double> first, std::span<const double> second);
 
-/// The same mean beside a reference that has a standard error and its degrees of freedom.
-MeanEvidence with_uncertain_reference(const MeanEvidence& mean, double standard_error, double freedom);
+/// The same mean beside a reference that has a standard error, its degrees of freedom, and the skewness of a mean.
+MeanEvidence with_uncertain_reference(const MeanEvidence& mean, double standard_error, double freedom,
+                                      const gate::MeanSkewness& skewness = {.most = no_part});
 
 /// Interval of the difference. An end is infinite where the values are too skewed, or too few, for the level.
 Interval interval_of(const MeanEvidence& mean, double level);
@@ -133,6 +134,7 @@ struct Measured {
     /// what so few values may not show, adds to the upper one of a mean. Infinite where the trials of a part are too
     /// few or too skewed.
     [[nodiscard]] double reach(int side, double tail) const;
+    [[nodiscard]] double standard_error() const;
 };
 
 /// ln(scale * mean). @pre mean.difference > 0

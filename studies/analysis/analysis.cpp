@@ -204,7 +204,7 @@ CellAnalysis analyse_cell(const CellReader& cells, std::size_t cell_index) {
                                                              name(method.completion), quantity.from, quantity.to));
         findings.summaries.push_back(summarise(estimates.values(quantity), request));
     }
-    for (const PairClass each : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+    for (const PairClass each : pair_classes) {
         const VarianceStatus variance =
             class_variance(findings, pairs_of_class(scene, known_pairs(pairs, known), each));
         if (variance == VarianceStatus::undefined) continue;

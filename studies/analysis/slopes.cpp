@@ -97,7 +97,7 @@ class LadderFit {
         found.ladder = ladder_;
         const Method& method = plan_.spec.methods[ladder_.method];
         const auto pairs = known_pairs(distinct_pairs(estimates_.front()->faces, method.completion), known_);
-        for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+        for (const PairClass pair_class : pair_classes) {
             const auto members = pairs_of_class(plan_.scenes[ladder_.scene], pairs, pair_class);
             if (!members.empty()) found.classes.push_back(class_slopes(pair_class, members));
         }

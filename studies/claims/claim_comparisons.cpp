@@ -34,8 +34,9 @@ std::string ladder(const ClaimEvidence& evidence, const std::vector<std::size_t>
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const Cell& cell = evidence.findings().plan.cells[cells[i]];
         const std::string samples = cell.deterministic ? "" : fmt::format(" × {} rays", cell.samples_per_patch);
-        rungs.push_back(
-            fmt::format("{} at {} patches per face{}", percent(errors[i]), cell.subdivision.per_part(), samples));
+        const auto patches = cell.subdivision.per_part();
+        rungs.push_back(fmt::format("{} at {} {} per face{}", percent(errors[i]), patches,
+                                    patches == 1 ? "patch" : "patches", samples));
     }
     return fmt::format("Mean Σ r.e.: {}.", fmt::join(rungs, ", "));
 }

@@ -287,7 +287,7 @@ std::vector<Contest> hold_contests(const CellReader& cells, const Analysis& find
     const Costs costs = measured_costs(findings.plan, cells.store().context());
     std::vector<Contest> contests;
     for (std::size_t scene = 0; scene < findings.plan.scenes.size(); ++scene) {
-        for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+        for (const PairClass pair_class : pair_classes) {
             for (const Equal equal : {Equal::evaluations, Equal::processor_time, Equal::error}) {
                 Family family(cells, {scene, pair_class, equal, 0, {}, {}},
                               contenders(findings, costs, scene, pair_class, equal));

@@ -271,7 +271,7 @@ std::vector<Rivalry> find_rivals(const Analysis& findings, const std::vector<Tab
         std::vector<Rivalry> rivals;
         for (std::size_t scene = 0; scene < findings.plan.scenes.size(); ++scene) {
             const auto cells = compared_cells(findings, scene, published);
-            for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+            for (const PairClass pair_class : pair_classes) {
                 if (const auto rivalry = best_two(findings, scene, pair_class, cells, level))
                     rivals.push_back(*rivalry);
             }

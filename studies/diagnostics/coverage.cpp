@@ -231,7 +231,7 @@ std::vector<Coverage> measure_coverage(const CellReader& cells) {
         if (plan.cells[cell].deterministic) continue;
         const KnownFactors known = known_factors(plan.scenes[plan.cells[cell].scene]);
         const CellTrials trials(cells, cell, known);
-        for (const PairClass wanted : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+        for (const PairClass wanted : pair_classes) {
             for (const auto& rule : names_of<IntervalRule>) {
                 for (const std::uint64_t replicates : plan.spec.coverage) {
                     const Coverage row = trials.coverage(wanted, rule.value, replicates);
@@ -258,7 +258,7 @@ std::vector<ClaimedErrors> judge_claimed_errors(const CellReader& cells) {
         const KnownFactors known = known_factors(plan.scenes[plan.cells[i].scene]);
         for (const Claimant claimant : claiming) {
             if (claimant == Claimant::one_run && estimates.rays.empty()) continue;
-            for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+            for (const PairClass pair_class : pair_classes) {
                 if (auto found = judge(cells.store(), estimates, known, pair_class, claimant)) all.push_back(*found);
             }
         }

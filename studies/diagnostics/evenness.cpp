@@ -111,7 +111,7 @@ std::vector<Evenness> compare_evenness_with_errors(const Analysis& findings) {
         const auto largest = std::find_if(sizes.rbegin(), sizes.rend(),
                                           [](const auto& size) { return size.second.size() >= stats::fewest_ranked; });
         if (largest == sizes.rend()) continue;
-        for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+        for (const PairClass pair_class : pair_classes) {
             const auto found = comparison.compare(largest->second, pair_class);
             all.insert(all.end(), found.begin(), found.end());
         }

@@ -120,7 +120,7 @@ std::vector<VarianceReduction> compare_with_random(const Analysis& findings) {
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
         const auto random = counterpart(plan, plan.cells[i]);
         if (plan.cells[i].deterministic || !random) continue;
-        for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+        for (const PairClass pair_class : pair_classes) {
             const ClassError* ours = findings.cells[i].class_error(pair_class);
             const ClassError* theirs = findings.cells[*random].class_error(pair_class);
             if (ours == nullptr || theirs == nullptr || !ours->squared_deviation || !theirs->squared_deviation)

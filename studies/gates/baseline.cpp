@@ -41,21 +41,60 @@ int read_face(const Json& json, const char* key) {
     return static_cast<int>(read_whole(json, key, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
 }
 
-Json spread_json(const std::optional<stats::MeanSquare>& spread) {
-    if (!spread) return nullptr;
-    return {{"mean_square", spread->mean_square}, {"freedom", spread->freedom}};
+Json skewness_json(const gate::MeanSkewness& skewness) {
+    return {{"value", skewness.value}, {"error", skewness.error}};
 }
 
-std::optional<stats::MeanSquare> read_spread(const Json& json, std::uint64_t trials) {
+/// Files of earlier versions have none.
+gate::MeanSkewness read_skewness(const Json& json, std::uint64_t trials) {
+    gate::MeanSkewness skewness;
+    if (!json.contains("skewness")) return skewness;
+    skewness.value = read_number(json.at("skewness"), "value", -largest_magnitude);
+    skewness.error = read_number(json.at("skewness"), "error", 0);
+    skewness.insignificant = gate::insignificant_skewness(static_cast<double>(trials));
+    return skewness;
+}
+
+Json spread_json(const std::optional<StoredSpread>& spread) {
+    if (!spread) return nullptr;
+    Json json{{"mean_square", spread->mean_square}, {"freedom", spread->freedom}};
+    if (spread->evidence) {
+        json["relative_error"] = spread->evidence->standard_error / spread->mean_square;
+        json["skewness"] = skewness_json(spread->evidence->skewness);
+    }
+    return json;
+}
+
+std::optional<StoredSpread> read_spread(const Json& json, std::uint64_t trials) {
     if (json.is_null()) return std::nullopt;
-    const stats::MeanSquare spread{
-        .mean_square = json.at("mean_square").get<double>(), .freedom = json.at("freedom").get<double>(), .n = trials};
+    StoredSpread spread{
+        {.mean_square = json.at("mean_square").get<double>(), .freedom = json.at("freedom").get<double>(), .n = trials},
+        {}};
     if (!(smallest_square <= spread.mean_square && spread.mean_square <= largest_square))
         throw UserError("mean_square = {} (not from {:g} to {:g})", spread.mean_square, smallest_square,
                         largest_square);
     if (!(least_freedom <= spread.freedom && spread.freedom <= static_cast<double>(trials)))
         throw UserError("freedom = {} (not from {} to the {} trials)", spread.freedom, least_freedom, trials);
+    if (json.contains("skewness"))
+        spread.evidence =
+            stats::MeanEvidence{.difference = spread.mean_square,
+                                .standard_error = read_number(json, "relative_error", 0) * spread.mean_square,
+                                .freedom = static_cast<double>(trials) - 1,
+                                .skewness = read_skewness(json, trials),
+                                .method = {},
+                                .n = trials};
     return spread;
+}
+
+/// A mean square about a centre, with the evidence of the same squares.
+std::optional<StoredSpread> store_spread(const std::optional<stats::MeanSquare>& spread, std::span<const double> values,
+                                         double centre) {
+    if (!spread) return std::nullopt;
+    std::vector<double> squares;
+    for (const double value : values) squares.push_back((value - centre) * (value - centre));
+    StoredSpread stored{*spread, stats::mean_evidence(squares, 0)};
+    if (stored.evidence) stored.evidence->difference = spread->mean_square;
+    return stored;
 }
 
 Json quantity_json(const StoredQuantity& stored) {
@@ -65,6 +104,7 @@ Json quantity_json(const StoredQuantity& stored) {
             {"trials", stored.trials},
             {"mean", stored.mean},
             {"standard_error", stored.standard_error},
+            {"skewness", skewness_json(stored.skewness)},
             {"variance", spread_json(stored.variance)},
             {"mean_square_error", spread_json(stored.mean_square_error)}};
 }
@@ -76,6 +116,7 @@ StoredQuantity read_quantity(const Json& json) {
     stored.trials = static_cast<std::uint64_t>(read_whole(json, "trials", 1, most_stored_trials));
     stored.mean = read_number(json, "mean", -largest_magnitude);
     stored.standard_error = read_number(json, "standard_error", 0);
+    stored.skewness = read_skewness(json, stored.trials);
     stored.variance = read_spread(json.at("variance"), stored.trials);
     stored.mean_square_error = read_spread(json.at("mean_square_error"), stored.trials);
     return stored;
@@ -97,8 +138,10 @@ StoredQuantity store_quantity(std::string cell, Quantity quantity, std::span<con
     stored.trials = values.size();
     stored.mean = *moments.mean();
     stored.standard_error = moments.standard_error().value_or(0);
-    stored.variance = stats::mean_square_of(moments);
-    if (reference) stored.mean_square_error = stats::mean_square_about(values, *reference);
+    if (const auto mean = stats::mean_evidence(values, values.front())) stored.skewness = mean->skewness;
+    stored.variance = store_spread(stats::mean_square_of(moments), values, stored.mean);
+    if (reference)
+        stored.mean_square_error = store_spread(stats::mean_square_about(values, *reference), values, *reference);
     return stored;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "stats/basics/moments.hpp"
+#include "stats/means/mean_test.hpp"
 #include "stats/variances/variance_interval.hpp"
 #include "studies/trials/estimates.hpp"
 
@@ -13,15 +14,22 @@
 
 namespace ff::studies::gates {
 
+/// A mean square of the trials of a baseline.
+struct StoredSpread : stats::MeanSquare {
+    /// As it varies from trial to trial; empty in files of versions before 0.3 and for fewer than three trials.
+    std::optional<stats::MeanEvidence> evidence;
+};
+
 /// The saved numbers of one quantity of one cell: enough for every comparison by a later run.
 struct StoredQuantity {
     std::string cell;  ///< identifies what was run (Cell::canonical and the completion)
     Quantity quantity;
     std::uint64_t trials = 0;
     double mean = 0;
-    double standard_error = 0;                  ///< standard error of the mean; 0 for a deterministic method
-    std::optional<stats::MeanSquare> variance;  ///< mean square about the mean; empty for a deterministic method
-    std::optional<stats::MeanSquare> mean_square_error;  ///< mean square about the exact value
+    double standard_error = 0;                      ///< standard error of the mean; 0 for a deterministic method
+    gate::MeanSkewness skewness;                    ///< skewness of the mean; 0 where the file does not say
+    std::optional<StoredSpread> variance;           ///< mean square about the mean; empty for a deterministic method
+    std::optional<StoredSpread> mean_square_error;  ///< mean square about the exact value
 };
 
 /// The saved numbers of one gate.

@@ -32,7 +32,8 @@ MeanReference mean_reference(const Gate& gate, const Effect& effect, const std::
     if (stored)
         return {.value = stored->mean,
                 .standard_error = stored->standard_error,
-                .freedom = static_cast<double>(std::max<std::uint64_t>(2, stored->trials) - 1)};
+                .freedom = static_cast<double>(std::max<std::uint64_t>(2, stored->trials) - 1),
+                .skewness = stored->skewness};
     if (gate.against == Against::number)
         return {.value = *gate.reference, .standard_error = gate.reference_se.value_or(0)};
     return {.value = effect.truth.value_or(0)};
@@ -80,6 +81,10 @@ void compare_means(const Gate& gate, const Plan& plan, const Effect& effect,
         measure_mean(values, reference, row.band, plan.levels, limits_of(gate, plan.study, effect, estimates));
     judge_into(row);
     if (!row.measurement) row.note = "every trial gave the same value";
+    if (stored && stored->standard_error == 0) {
+        row.verdict = Verdict::inconclusive;
+        row.note = "every trial of the baseline gave the same value";
+    }
     if (gate.kind == GateKind::bias && has_few_hits(estimates, effect.quantity, reference.value))
         leave_few_hits_undecided(row);
 }
@@ -91,7 +96,7 @@ Measurement measure_efficiency(const stats::MeanSquare& spread, const stats::Mea
     Measurement measurement = measure_spread(reference, spread, {std::sqrt(band.low), std::sqrt(band.high)}, levels);
     ratio.value *= -1;
     for (stats::Measured::Part& part : ratio.parts) part.weight *= -1;
-    allow_for_skewness(measurement, ratio, true, levels);
+    allow_for_skewness(measurement, ratio, true, {std::sqrt(band.low), std::sqrt(band.high)}, levels);
     const auto square = [](double x) { return x * x; };
     for (stats::Interval* interval : {&measurement.passing, &measurement.failing}) {
         interval->low = square(interval->low);
@@ -100,6 +105,13 @@ Measurement measure_efficiency(const stats::MeanSquare& spread, const stats::Mea
     measurement.value = square(measurement.value);
     measurement.minimum_detectable = square(measurement.minimum_detectable);
     return measurement;
+}
+
+/// Half the logarithm of a mean square of the baseline, as the part of a ratio that it is below.
+stats::Measured logarithm_of(const StoredSpread& spread) {
+    const double value = std::log(spread.mean_square) / 2;
+    if (spread.evidence) return {value, {{.mean = *spread.evidence, .weight = -0.5, .logarithm = true}}};
+    return stats::with_error(value, 1 / std::sqrt(2 * spread.freedom), std::max<std::size_t>(2, spread.n));
 }
 
 void compare_spreads(const Gate& gate, const Plan& plan, const Effect& effect,
@@ -127,10 +139,8 @@ void compare_spreads(const Gate& gate, const Plan& plan, const Effect& effect,
             row.note = "the baseline has no spread";
             return;
         }
-        // This is all that is known of the baseline's trials. What ours may have missed they may have missed too.
-        const auto before =
-            stats::with_error(std::log(reference->mean_square) / 2, 1 / std::sqrt(2 * reference->freedom),
-                              std::max<std::size_t>(2, stored->trials));
+        // What our trials may have missed those of the baseline may have missed too.
+        const auto before = logarithm_of(*reference);
         ratio.value -= before.value;
         ratio.parts.push_back(before.parts.front());
         if (logarithm->parts.front().mean.unmet.largest > 0) {
@@ -140,7 +150,7 @@ void compare_spreads(const Gate& gate, const Plan& plan, const Effect& effect,
         measurement = gate.kind == GateKind::efficiency
                           ? measure_efficiency(*spread, *reference, ratio, row.band, plan.levels)
                           : measure_spread(*spread, *reference, row.band, plan.levels);
-        if (gate.kind != GateKind::efficiency) allow_for_skewness(measurement, ratio, true, plan.levels);
+        if (gate.kind != GateKind::efficiency) allow_for_skewness(measurement, ratio, true, row.band, plan.levels);
     }
     row.measurement = measurement;
     judge_into(row);
@@ -219,7 +229,7 @@ void compare_slope(const Gate& gate, const Plan& plan, const Effect& effect, std
         row.measurement.reset();
         row.note = "no error at some size";
     } else {
-        allow_for_skewness(*row.measurement, *rate, false, plan.levels);
+        allow_for_skewness(*row.measurement, *rate, false, row.band, plan.levels);
     }
     judge_into(row);
     const auto is_sparse = [&](std::size_t cell) {

@@ -23,10 +23,14 @@ double reach_to_fail(const Levels& levels) {
     return stats::normal_critical(levels.fail_alpha / 2) + stats::normal_critical(1 - levels.power);
 }
 
+/// The same for ratios.
+double beyond_by_this_factor(const Band& band, double factor) {
+    return std::isfinite(band.high) ? band.high * factor : band.low / factor;
+}
+
 /// A ratio that lies beyond the band by this factor fails with the power.
 double beyond_by_factor(const Band& band, double log_standard_error, const Levels& levels) {
-    const double factor = std::exp(reach_to_fail(levels) * log_standard_error);
-    return std::isfinite(band.high) ? band.high * factor : band.low / factor;
+    return beyond_by_this_factor(band, std::exp(reach_to_fail(levels) * log_standard_error));
 }
 
 /// Approximate variance of the logarithm of a root mean square.
@@ -90,7 +94,8 @@ std::optional<Measurement> measure_mean(std::span<const double> values, const Me
                                         const std::optional<stats::Autocorrelation>& correlation) {
     const auto own = stats::mean_evidence(values, reference.value, limits, correlation);
     if (!own) return std::nullopt;
-    const auto mean = stats::with_uncertain_reference(*own, reference.standard_error, reference.freedom);
+    const auto mean =
+        stats::with_uncertain_reference(*own, reference.standard_error, reference.freedom, reference.skewness);
     Measurement measurement =
         measured_at(mean.difference, levels, [&](double level) { return stats::interval_of(mean, level); });
     const double unmet = mean.unmet.reach(levels.fail_alpha / 2);
@@ -126,10 +131,7 @@ Measurement measure_spread(const stats::MeanSquare& spread, stats::Measured loga
                            const Band& band, const Levels& levels) {
     Measurement measurement = measure_spread(spread, reference, band, levels);
     logarithm.value -= std::log(reference);
-    allow_for_skewness(measurement, logarithm, true, levels);
-    const double to_be_noticed = measurement.value / measurement.failing.low *
-                                 std::exp(stats::normal_critical(1 - levels.power) * std::sqrt(log_variance(spread)));
-    measurement.minimum_detectable = std::max(measurement.minimum_detectable, band.high * to_be_noticed);
+    allow_for_skewness(measurement, logarithm, true, band, levels);
     return measurement;
 }
 
@@ -162,7 +164,7 @@ std::optional<Measurement> measure_slope(std::span<const stats::Rung> ladder, co
     return measured_at(fitted->rate, levels, interval_of, beyond(band, reach_to_fail(levels) * error));
 }
 
-void allow_for_skewness(Measurement& measurement, const stats::Measured& number, bool is_logarithm,
+void allow_for_skewness(Measurement& measurement, const stats::Measured& number, bool is_logarithm, const Band& band,
                         const Levels& levels) {
     const auto widen = [&](stats::Interval& interval, double level) {
         const double low = number.value - number.reach(-1, (1 - level) / 2);
@@ -172,6 +174,15 @@ void allow_for_skewness(Measurement& measurement, const stats::Measured& number,
     };
     widen(measurement.passing, levels.of_passing());
     widen(measurement.failing, levels.of_failing());
+    // An effect is noticed where the failing interval around what is measured of it leaves the band, its own error
+    // included.
+    const bool is_above = std::isfinite(band.high);
+    const double end = is_above ? measurement.failing.low : measurement.failing.high;
+    const double error = stats::normal_critical(1 - levels.power) * number.standard_error();
+    const double reach = error + std::abs(is_logarithm ? std::log(end / measurement.value) : end - measurement.value);
+    const double noticed = is_logarithm ? beyond_by_this_factor(band, std::exp(reach)) : beyond(band, reach);
+    double& detectable = measurement.minimum_detectable;
+    detectable = is_above ? std::max(detectable, noticed) : std::min(detectable, noticed);
 }
 
 Measurement measure_exactly(double value, const Band& band) {

@@ -22,6 +22,7 @@ struct MeanReference {
     double value = 0;
     double standard_error = 0;                                 ///< 0 for an exact value
     double freedom = std::numeric_limits<double>::infinity();  ///< degrees of freedom of `standard_error`
+    gate::MeanSkewness skewness{.most = stats::no_part};       ///< of the mean that the reference is
 };
 
 /// Mean minus reference by the rule for means (stats/means/mean_test.hpp).
@@ -54,9 +55,9 @@ Measurement measure_proportion(const stats::Proportion& counts, const Band& band
 /// Rate of the RMSE along a ladder.
 std::optional<Measurement> measure_slope(std::span<const stats::Rung> ladder, const Band& band, const Levels& levels);
 
-/// Widens both intervals to what the rule for means says of the number, or of its logarithm: the others rest on
-/// variances of squares that few trials may not show.
-void allow_for_skewness(Measurement& measurement, const stats::Measured& number, bool is_logarithm,
+/// Widens both intervals to what the rule for means says of the number, or of its logarithm, and the detectable effect
+/// with them: the others rest on variances of squares that few trials may not show.
+void allow_for_skewness(Measurement& measurement, const stats::Measured& number, bool is_logarithm, const Band& band,
                         const Levels& levels);
 
 /// A deterministic value: one evaluation decides.

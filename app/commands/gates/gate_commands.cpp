@@ -131,7 +131,7 @@ Verdict judge_once(const CheckSession& session) {
 
 /// One more look at a commit, with the part of alpha that earlier looks have left.
 Verdict judge_again(CheckSession& session) {
-    const auto look = describe_look(session.command, session.spec.seed.value);
+    const auto look = describe_look(session.command, session.spec);
     const auto file = ledger_file(session.command);
     const auto next = begin_look(file, look, session.spec);
     if (next.failed) {
@@ -176,7 +176,7 @@ ExitCode judge_files_only(const CheckCommand& command) {
 
 }  // namespace
 
-studies::gates::LedgerLook describe_look(const CheckCommand& command, std::uint64_t seed) {
+studies::gates::LedgerLook describe_look(const CheckCommand& command, const studies::gates::Spec& spec) {
     const std::string_view allowed = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._/-";
     if (command.again.size() > 100 || command.again.find_first_not_of(allowed) != std::string::npos)
         throw UserError("--again (letters, digits and ._/-, at most 100: the name of a commit). Give its hash.");
@@ -184,9 +184,13 @@ studies::gates::LedgerLook describe_look(const CheckCommand& command, std::uint6
         throw UserError(
             "--again (--seed-sweep, --save-baseline and --dry-run judge no commit). Leave one of them out.");
     studies::Digest data;
-    if (command.estimates.empty()) data.add(seed);
+    if (command.estimates.empty()) data.add(spec.seed.value);
     for (const auto& file : {command.estimates, command.against}) {
         if (!file.empty()) data.add(studies::read_text_file(file, studies::FileKind::estimates));
+    }
+    if (!command.baseline.empty()) data.add(studies::read_text_file(command.baseline, studies::FileKind::baseline));
+    for (const studies::gates::Gate& gate : spec.gates) {
+        if (!gate.covariance.empty()) data.add(studies::read_text_file(gate.covariance, studies::FileKind::estimates));
     }
     studies::Digest bands;
     bands.add(studies::read_text_file(command.bands, studies::FileKind::bands));

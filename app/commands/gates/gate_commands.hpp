@@ -58,8 +58,8 @@ ExitCode judge(CheckSession session);
 /// The folder for these files, after checking that they may be written.
 OutputFolder open_folder(const std::filesystem::path& out, const std::vector<std::string>& files);
 
-/// The look that --again requests, without its verdict. @param seed of the program's own trials
+/// The look that --again requests at these gates, without its verdict.
 /// @throws UserError for invalid names, and for options that do not judge a commit
-studies::gates::LedgerLook describe_look(const CheckCommand& command, std::uint64_t seed);
+studies::gates::LedgerLook describe_look(const CheckCommand& command, const studies::gates::Spec& spec);
 
 }  // namespace ff::app

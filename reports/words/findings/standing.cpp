@@ -80,7 +80,7 @@ std::vector<Ranking> of_each_class(const StudyResults& results, void (*rank)(con
     const auto ranked_at = [&](double level) {
         std::vector<Ranking> all;
         for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
-            for (const PairClass pair_class : {PairClass::parallel, PairClass::adjacent, PairClass::other}) {
+            for (const PairClass pair_class : pair_classes) {
                 Ranking ranking{heading_of(plan, scene, pair_class), {}, scene, pair_class};
                 rank(results, ranking, level);
                 if (!ranking.methods.empty()) all.push_back(std::move(ranking));

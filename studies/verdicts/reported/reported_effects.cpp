@@ -187,32 +187,40 @@ void compare_means(BinComparison& comparing, const Bins* against) {
 
 /// How the runs of one bin lie about their mean, in the errors that they state.
 struct Standardised {
-    double square_sum = 0;
+    double ratio = 0;            ///< spread between runs over the root mean square of the stated errors
     double freedom = 0;          ///< runs - 1, reduced for kurtosis [box1953]
+    double freedom_stated = 0;   ///< freedom of the mean of the stated variances, which are estimates themselves
     std::size_t within_two = 0;  ///< runs nearer than 1.96 errors, with what the mean's own error takes
 };
 
 Standardised standardise(Rows runs) {
-    double weights = 0;
-    double sum = 0;
-    for (const ReportedRow& run : runs) {
-        const double weight = 1 / (run.standard_error * run.standard_error);
-        weights += weight;
-        sum += weight * run.mean;
-    }
-    const double mean = sum / weights;
-    Standardised result;
-    double fourth = 0;
-    for (const ReportedRow& run : runs) {
-        const double z = (run.mean - mean) / run.standard_error;
-        const double share = 1 - 1 / (run.standard_error * run.standard_error * weights);
-        result.square_sum += z * z;
-        fourth += z * z * z * z;
-        result.within_two += share > 0 && std::abs(z) <= 1.959964 * std::sqrt(share) ? 1u : 0u;
-    }
     const auto n = static_cast<double>(runs.size());
-    const double kurtosis = n * fourth / (result.square_sum * result.square_sum) - 3;
+    double mean = 0;
+    double stated = 0;
+    for (const ReportedRow& run : runs) {
+        mean += run.mean / n;
+        stated += run.standard_error * run.standard_error / n;
+    }
+    Standardised result;
+    double squares = 0;
+    double fourth = 0;
+    double variation = 0;  // of the stated variances, relative
+    double values = 0;     // behind all errors, less one for each
+    for (const ReportedRow& run : runs) {
+        const double deviation = run.mean - mean;
+        const double variance = run.standard_error * run.standard_error;
+        squares += deviation * deviation;
+        fourth += deviation * deviation * deviation * deviation / (stated * stated);
+        variation += std::pow(variance / stated - 1, 2) / (n - 1);
+        values += run.n > 0 ? std::max(1.0, run.n - 1) : infinity;
+        const double expected = variance * (1 - 2 / n) + stated / n;
+        result.within_two += std::abs(deviation) <= 1.959964 * std::sqrt(expected) ? 1u : 0u;
+    }
+    const double of_stated = squares / stated;
+    const double kurtosis = of_stated > 0 ? n * fourth / (of_stated * of_stated) - 3 : 0;
+    result.ratio = std::sqrt(of_stated / (n - 1));
     result.freedom = (n - 1) / (1 + std::max(0.0, kurtosis) / 2);
+    result.freedom_stated = variation > 0 ? std::min(values, 2 * n / variation) : values;
     return result;
 }
 
@@ -235,13 +243,12 @@ void compare_errors(BinComparison& comparing) {
             continue;
         }
         const Standardised found = standardise(runs);
-        if (found.square_sum == 0) refuse_repeated_runs(comparing.gate, bins, bin);
-        const double ratio = std::sqrt(found.square_sum / static_cast<double>(bins.runs - 1));
+        if (found.ratio == 0) refuse_repeated_runs(comparing.gate, bins, bin);
         within += found.within_two;
         all += bins.runs;
-        ratios += std::log(ratio);
+        ratios += std::log(found.ratio);
         errors += std::log(runs[0].standard_error);
-        comparing.add_ratio(bin, ratio, found.freedom, infinity);
+        comparing.add_ratio(bin, found.ratio, found.freedom, found.freedom_stated);
     }
     if (comparing.effects.bins.empty()) return;
     const auto judged = static_cast<double>(comparing.effects.bins.size());

@@ -40,3 +40,13 @@ ffstudy check bands.toml --baseline missing.json
 expect_status 3
 ffstudy check bands.toml --baseline base.json --save-baseline base.json
 expect_status 2
+
+# A rate over seeds that share a baseline is none, and another baseline is other data for the ledger.
+bands 64 >bands.toml
+ffstudy check bands.toml --baseline base.json --seed-sweep 3
+expect_status 2
+expect_stderr "all seeds would share the error of one baseline"
+ffstudy check bands.toml --baseline base.json --again c1
+expect_status 0
+ffstudy check bands.toml --baseline better.json --again c1
+expect_status 1

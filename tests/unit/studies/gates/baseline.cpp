@@ -45,5 +45,31 @@ TEST(ParseBaseline, NamesTheGateTheQuantityAndTheImpossibleNumber) {
     EXPECT_THAT(refusal_of_baseline("\"to\": 2", "\"to\": 6e19"), HasSubstr("to = 6e+19"));
 }
 
+TEST(StoredQuantity, KeepsHowSkewedItsTrialsAre) {
+    const std::vector<double> values{1, 2, 2, 3, 3, 3, 4, 5, 7, 12};
+    const auto stored = store_quantity("c", {QuantityKind::form_factor, 1, 2}, values, 4.0);
+    const Baseline read = parse_baseline(baseline_json({"", {{"g", 0.1, {stored}}}}), "base.json");
+    const StoredQuantity& back = read.gates[0].quantities[0];
+    const auto mean = *stats::mean_evidence(values, 0);
+    EXPECT_DOUBLE_EQ(back.skewness.value, mean.skewness.value);
+    EXPECT_DOUBLE_EQ(back.skewness.error, mean.skewness.error);
+    EXPECT_EQ(back.skewness.insignificant, mean.skewness.insignificant);
+    for (const auto& spread : {back.variance, back.mean_square_error}) {
+        ASSERT_TRUE(spread && spread->evidence);
+        EXPECT_GT(spread->evidence->skewness.value, 0);
+        EXPECT_GT(spread->evidence->standard_error, 0);
+    }
+}
+
+TEST(StoredQuantity, HasNoSkewnessInFilesOfEarlierVersions) {
+    const Baseline read = parse_baseline(
+        fmt::format(R"({{"schema": "ffstudy.baseline/1", "gates": [{{"gate": "g", "seconds_per_trial": 0.1,
+ "quantities": [{}]}}]}})",
+                    sound_quantity),
+        "base.json");
+    EXPECT_EQ(read.gates[0].quantities[0].skewness.error, 0);
+    EXPECT_FALSE(read.gates[0].quantities[0].variance->evidence);
+}
+
 }  // namespace
 }  // namespace ff::studies::gates

@@ -6,9 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <random>
+#include <vector>
 
 namespace ff::studies::gates {
 namespace {
@@ -84,6 +88,48 @@ TEST(MeasureMean, DetectsLessWhereValuesMayBeSkewed) {
     const auto unknown = measure_mean(values, {}, {-1, 1}, usual_levels);
     EXPECT_GT(unknown->minimum_detectable, known->minimum_detectable);
     EXPECT_LT(unknown->failing.low, known->failing.low);
+}
+
+/// How often a point null fails at alpha = 0.01 beside a reference that is the mean of ten exponential values.
+std::uint64_t false_alarms_beside_few_values(std::uint64_t repetitions, bool says_how_skewed) {
+    std::mt19937_64 engine(29);
+    std::exponential_distribution<double> law;
+    std::uint64_t failed = 0;
+    for (std::uint64_t i = 0; i < repetitions; ++i) {
+        std::vector<double> before(10);
+        std::vector<double> now(200);
+        for (auto* values : {&before, &now}) std::ranges::generate(*values, [&] { return law(engine); });
+        const auto mean = *stats::mean_evidence(before, 0);
+        MeanReference reference{mean.difference, mean.standard_error, mean.freedom, mean.skewness};
+        if (!says_how_skewed) reference.skewness = {.most = stats::no_part};
+        const Band point{-1e-12, 1e-12};
+        if (judge(measure_mean(now, reference, point, usual_levels), point) == Verdict::fail) ++failed;
+    }
+    return failed;
+}
+
+// Risks: false alarm 1e-6 at a rate of .015; a rate of .04 is noticed with power .99.
+TEST(MeasureMean, AllowsForTheSkewnessOfItsReference) {
+    EXPECT_TRUE(test::has_probability_at_most(false_alarms_beside_few_values(3000, true), 3000, 0.015,
+                                              {.alpha = 1e-6, .detects = 0.025}));
+    EXPECT_FALSE(test::has_probability_at_most(false_alarms_beside_few_values(3000, false), 3000, 0.015,
+                                               {.alpha = 1e-6, .detects = 0.025}))
+        << "without it, the rule fails too often";
+}
+
+// An effect as large as what is stated to be detectable, measured where its interval is as wide, leaves the band.
+TEST(AllowForSkewness, WidensTheDetectableEffectAsWell) {
+    std::mt19937_64 engine(31);
+    const auto values = test::normal_sample(50, engine);
+    const auto spread = *stats::mean_square_of(stats::moments_of(values));
+    stats::Measured ratio = *logarithm_of_spread(values, *stats::moments_of(values).mean());
+    ratio.value = 0;
+    const Levels strict{.fail_alpha = 1e-4, .pass_alpha = 0.05, .power = 0.9};
+    Measurement measurement = measure_spread(spread, spread, {0.8, 1.25}, strict);
+    const double before = measurement.minimum_detectable;
+    allow_for_skewness(measurement, ratio, true, {0.8, 1.25}, strict);
+    EXPECT_GT(measurement.minimum_detectable, before);
+    EXPECT_GT(measurement.minimum_detectable * measurement.failing.low / measurement.value, 1.25);
 }
 
 TEST(MeasureSpread, IsOneForTheReferenceItself) {
