@@ -195,30 +195,25 @@ struct Standardised {
 
 Standardised standardise(Rows runs) {
     const auto n = static_cast<double>(runs.size());
-    double mean = 0;
+    const double mean = mean_of(runs).value;
     double stated = 0;
-    for (const ReportedRow& run : runs) {
-        mean += run.mean / n;
-        stated += run.standard_error * run.standard_error / n;
-    }
+    for (const ReportedRow& run : runs) stated += run.standard_error * run.standard_error / n;
     Standardised result;
-    double squares = 0;
+    double squares = 0;  // in mean stated variances
     double fourth = 0;
     double variation = 0;  // of the stated variances, relative
     double values = 0;     // behind all errors, less one for each
     for (const ReportedRow& run : runs) {
-        const double deviation = run.mean - mean;
-        const double variance = run.standard_error * run.standard_error;
-        squares += deviation * deviation;
-        fourth += deviation * deviation * deviation * deviation / (stated * stated);
-        variation += std::pow(variance / stated - 1, 2) / (n - 1);
+        const double variance = run.standard_error * run.standard_error / stated;
+        const double square = (run.mean - mean) * (run.mean - mean) / stated;
+        squares += square;
+        fourth += square * square;
+        variation += std::pow(variance - 1, 2) / (n - 1);
         values += run.n > 0 ? std::max(1.0, run.n - 1) : infinity;
-        const double expected = variance * (1 - 2 / n) + stated / n;
-        result.within_two += std::abs(deviation) <= 1.959964 * std::sqrt(expected) ? 1u : 0u;
+        result.within_two += std::sqrt(square) <= 1.959964 * std::sqrt(variance * (1 - 2 / n) + 1 / n) ? 1u : 0u;
     }
-    const double of_stated = squares / stated;
-    const double kurtosis = of_stated > 0 ? n * fourth / (of_stated * of_stated) - 3 : 0;
-    result.ratio = std::sqrt(of_stated / (n - 1));
+    const double kurtosis = squares > 0 ? n * fourth / (squares * squares) - 3 : 0;
+    result.ratio = std::sqrt(squares / (n - 1));
     result.freedom = (n - 1) / (1 + std::max(0.0, kurtosis) / 2);
     result.freedom_stated = variation > 0 ? std::min(values, 2 * n / variation) : values;
     return result;
