@@ -2,6 +2,7 @@
 
 option(FFSTUDY_CONTRACTS "Check FF_EXPECT and FF_ENSURE at run time" OFF)
 option(FFSTUDY_WERROR "Treat warnings as errors; the presets for developers do" OFF)
+set(FFSTUDY_HOT_OPTIONS "" CACHE STRING "Further compiler options for what computes: core, samplers and stats")
 set(FFSTUDY_SANITIZE "" CACHE STRING "Sanitizers for -fsanitize=, e.g. address,undefined")
 
 add_library(ff_settings INTERFACE)

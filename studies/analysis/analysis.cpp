@@ -18,7 +18,6 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
-#include <ranges>
 
 namespace ff::studies {
 namespace {
@@ -173,9 +172,9 @@ CellAnalysis analyse_cell(const CellReader& cells, std::size_t cell_index) {
     findings.lost_rays = estimates.lost_rays;
     findings.evaluations_per_face = estimates.evaluations_per_face;
     if (estimates.trials() == 0) return findings;
-    const bool equal_areas = std::ranges::all_of(std::views::iota(0, static_cast<int>(estimates.faces)), [&](int face) {
-        return face_area(scene, face) == face_area(scene, 0);
-    });
+    bool equal_areas = true;
+    for (int face = 1; face < static_cast<int>(estimates.faces); ++face)
+        equal_areas = equal_areas && face_area(scene, face) == face_area(scene, 0);
     const std::optional<std::size_t> pilot = plan.spec.until ? std::optional(plan.spec.until->pilot) : std::nullopt;
     const double detectable = detectable_in_sigmas(plan, tested, estimates.trials(), pilot);
     for (const Quantity quantity : all_quantities(estimates)) {

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <ranges>
+#include <iterator>
 
 namespace ff::studies {
 namespace {
@@ -150,6 +150,28 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     std::string key_;
 };
 
+/// Events of the library carry no positions: the builder is told of every letter that the parser takes.
+struct WatchedLetter {
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = char;
+
+    char operator*() const {
+        builder->set_reached(at + 1);
+        return *at;
+    }
+    WatchedLetter& operator++() {
+        ++at;
+        return *this;
+    }
+    bool operator==(const WatchedLetter& other) const { return at == other.at; }
+
+    const char* at;
+    TreeBuilder* builder;
+};
+
 }  // namespace
 
 const JsonValue* JsonValue::find(std::string_view key) const {
@@ -165,12 +187,8 @@ std::string describe(std::string_view origin, TextPosition position) {
 
 JsonValue parse_json(std::string_view text, std::string_view origin) {
     TreeBuilder builder(text, origin);
-    // Events of the library carry no positions: the builder is told of every letter that the parser takes.
-    const auto letters = text | std::views::transform([&](const char& letter) {
-                             builder.set_reached(&letter + 1);
-                             return letter;
-                         });
-    nlohmann::json::sax_parse(letters.begin(), letters.end(), &builder);
+    const char* const begin = text.data();
+    nlohmann::json::sax_parse(WatchedLetter{begin, &builder}, WatchedLetter{begin + text.size(), &builder}, &builder);
     return builder.take();
 }
 

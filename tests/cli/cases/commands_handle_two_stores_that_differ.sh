@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Two stores that differ in anything, in every command that takes two: a sentence and a documented exit code, never a
 # crash, and nothing lost.
+# Needs time: every pair of stores.
 source "$(dirname "$0")/../harness.sh"
 
 # study SCENE METHOD SIZES LINE...

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Every kind of file given to every command that takes another: it is named, with the command that takes it.
+# Needs time: every kind of file in every command.
 source "$(dirname "$0")/../harness.sh"
 
 files=$folder/files

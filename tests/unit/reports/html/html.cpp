@@ -65,7 +65,7 @@ TEST(HtmlReport, NamesTheProgramAndNothingElseThatDiffersBetweenRuns) {
 /// What is measured of all built-in studies by scripts/docs.
 TEST(HtmlReport, StaysBelowItsLimitForALargeStudy) {
     std::string methods;
-    for (int i = 0; i < 50; ++i) {
+    for (int i = 0; i < 30; ++i) {
         methods += fmt::format("[[method]]\nname = \"m{}\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n", i);
         methods += "samples_per_patch = [16, 32, 64, 128]\n";
     }
