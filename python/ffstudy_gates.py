@@ -13,6 +13,8 @@ Fail: that of level 1 - alpha lies wholly outside. Otherwise inconclusive, which
         return simulate(seed)
 """
 
+import functools
+import inspect
 import math
 import os
 from dataclasses import dataclass
@@ -163,23 +165,40 @@ def assert_mean_within(samples, reference, **options):
 def gate(*, reference, max_trials=100_000, **options):
     """Makes a test of a function that gives one trial for a seed.
 
-    A pilot, which is never judged, says how many trials the gate needs; these have seeds of their own.
+    The seed is the parameter of that name, otherwise the first. Others are pytest's: fixtures, what parametrize gives,
+    and self in a class. A pilot, which is never judged, says how many trials the gate needs; these have seeds of their
+    own.
     """
 
     def decorate(trial):
-        def test():
-            first = _options["seed"] * 1_000_000_000
-            pilot = numpy.array([trial(first + i) for i in range(PILOT_TRIALS)], dtype=float)
+        whole = inspect.signature(trial)
+        names = [name for name in whole.parameters if name != "self"]
+        if not names:
+            raise TypeError(f"{trial.__name__}() takes no seed. Give it a parameter for one.")
+        seed_name = "seed" if "seed" in names else names[0]
+        rest = whole.replace(parameters=[p for name, p in whole.parameters.items() if name != seed_name])
+
+        @functools.wraps(trial)  # with what parametrize and other marks have noted
+        def test(*args, **kwargs):
+            given = rest.bind(*args, **kwargs).arguments
+
+            def trials(begin, count):
+                first = _options["seed"] * 1_000_000_000 + begin
+                for seed in range(first, first + count):
+                    call = whole.bind_partial()
+                    call.arguments.update(given, **{seed_name: seed})
+                    yield trial(*call.args, **call.kwargs)
+
+            pilot = numpy.array(list(trials(0, PILOT_TRIALS)), dtype=float)
             # The upper 90 % limit: a pilot that happens to see little noise would promise too much.
             sigma = pilot.std(ddof=1) * math.sqrt((PILOT_TRIALS - 1) / stats.chi2.ppf(0.1, PILOT_TRIALS - 1))
             planning = {key: options[key] for key in ("power", "pass_alpha", "reference_error") if key in options}
             needed = trials_needed(sigma, options["band"], **planning)
             count = int(min(max_trials, max(2 * FEWEST_TRIALS, math.ceil(needed) if needed < max_trials else max_trials)))
-            samples = [trial(first + PILOT_TRIALS + i) for i in range(count)]
-            return _demand(judge_mean(samples, reference, **options)) and None
+            return _demand(judge_mean(list(trials(PILOT_TRIALS, count)), reference, **options)) and None
 
-        # Not functools.wraps: pytest would ask for a fixture "seed".
-        test.__name__, test.__doc__, test.__module__ = trial.__name__, trial.__doc__, trial.__module__
+        test.__signature__ = rest  # pytest would ask for a fixture "seed"
+        del test.__wrapped__
         return test
 
     return decorate

@@ -106,13 +106,19 @@ void save_study(const std::filesystem::path& file, const studies::StudySpec& spe
 }
 
 std::string reused_in_words(const studies::CommonTrials& common, const std::string& difference) {
-    return fmt::format("{} of {} trials are there already, from a study that differs in {}", common.reused,
-                       common.wanted, difference);
+    const std::string trials = fmt::format("{} of {} trials are there already", common.reused, common.wanted);
+    return difference.empty() ? trials : fmt::format("{}, from a study that differs in {}", trials, difference);
 }
 
 void expect_wanted(const studies::CommonTrials& common, const std::filesystem::path& file,
                    const std::string& difference) {
     if (common.left_behind == 0) return;
+    if (common.beyond > 0) {
+        throw UserError(
+            "{}: has all trials of this study and {} beyond them (it differs in {}). Choose another --out, or add "
+            "--replace, which keeps the old store aside.",
+            file.string(), common.beyond, difference);
+    }
     const std::uint64_t saved = common.reused + common.left_behind;
     throw UserError(
         "{}: holds another study (differs in {}): {} of its {} trials are none of this one. Choose another --out, or "
@@ -176,7 +182,6 @@ std::string describe_growth(const std::filesystem::path& folder, const studies::
     const auto file = folder / store_name;
     if (!std::filesystem::exists(file)) return {};
     const std::string difference = studies::difference_of_study(file, plan.spec);
-    if (difference.empty()) return {};
     const auto common = common_trials(studies::Store::open(file), plan);
     return reused_in_words(common, difference) +
            (common.left_behind == 0

@@ -56,14 +56,13 @@ void ProgressDisplay::show(double share, const std::string& text) {
 }
 
 void ProgressDisplay::show(const studies::RunProgress& progress) {
-    if (already_done_ < 0) already_done_ = progress.expected_seconds_done;
     const bool last = progress.units_done == progress.units;
     if (style_ == Style::silent || (!is_due() && !last)) return;
     const double elapsed = std::max(std::chrono::duration<double>(Clock::now() - start_).count(), 1e-9);
-    const double speed = (progress.expected_seconds_done - already_done_) / elapsed;
-    const std::string left =
-        speed > 0 ? duration((progress.expected_seconds - progress.expected_seconds_done) / speed) : "?";
-    const double share = progress.expected_seconds_done / progress.expected_seconds;
+    const auto& seconds = progress.seconds;
+    const double speed = (seconds.done - seconds.before) / elapsed;
+    const std::string left = speed > 0 ? duration((seconds.all - seconds.done) / speed) : "?";
+    const double share = seconds.done / seconds.all;
     show(share, fmt::format("{:5.1f} %  {:.0f} M samples/s  {} left", 100 * share,
                             static_cast<double>(progress.evaluations) / elapsed / 1e6, left));
 }

@@ -35,7 +35,6 @@ class ProgressDisplay {
     Style style_;
     Clock::time_point start_ = Clock::now();
     Clock::time_point last_ = start_;
-    double already_done_ = -1;  // expected seconds of a run completed by an earlier one
     bool shown_ = false;
 };
 

@@ -35,7 +35,7 @@ AddedEstimator::AddedEstimator(Texts texts, EstimatorInfo traits, Refusal refusa
         return general.empty() && refusal_ ? refusal_(scene) : general;
     };
     entry_.size_problem = [](std::uint64_t samples) { return std::string(samples == 0 ? "(none). Try 1024." : ""); };
-    // A very rough guess: what an added estimator computes, and how, is not known.
+    // Earlier stores have no price of a trial: their units of work were cut by this one of an evaluation.
     entry_.nanoseconds = [](const EstimatorOptions&, const Scene&) { return 1e3; };
     entry_.integrand = [](const EstimatorOptions&, PairClass, Hiding) { return std::optional<Integrand>(); };
     entry_.finite_variance = [](const EstimatorOptions&, const Scene&, int, int) { return true; };
@@ -62,7 +62,7 @@ void AddedEstimator::learn_from(AddedEstimator& other) {
     refusal_ = std::move(other.refusal_);
 }
 
-EstimatorInfo program_traits(bool has_sizes, bool randomised) {
+EstimatorInfo program_traits(bool has_sizes, bool randomised, double nanoseconds) {
     return {.name = {},
             .summary = {},
             .details = {},
@@ -71,7 +71,8 @@ EstimatorInfo program_traits(bool has_sizes, bool randomised) {
             .randomised = randomised,
             .whole_faces = true,
             .sees_occluders = true,
-            .evaluations = "samples"};
+            .evaluations = "samples",
+            .nanoseconds = nanoseconds};
 }
 
 const EstimatorEntry& add(std::unique_ptr<AddedEstimator> estimator, const std::string& short_name) {

@@ -58,7 +58,9 @@ struct OutsideFactors {
 
 /// Traits of a program that receives the scene as a file and prints form factors between whole faces.
 /// @param has_sizes  it takes samples_per_patch
-EstimatorInfo program_traits(bool has_sizes, bool randomised);
+/// @param nanoseconds  EstimatorInfo::nanoseconds, here of a whole trial: nobody knows what a program does in it. By
+/// default long enough for each trial to be a unit of work, saved when it is done and a thread's own
+EstimatorInfo program_traits(bool has_sizes, bool randomised, double nanoseconds = 2e8);
 
 /// Adds an estimator for the rest of the process; one that already has its name stays. Safe from any thread.
 /// @param short_name another name for it; empty: none

@@ -13,6 +13,7 @@ namespace ff {
 /// and, where `info.own_points`, what is wrong with a size,
 ///
 ///     static std::string size_problem(std::uint64_t samples);
+///     static std::uint64_t samples_of_resolution(std::uint64_t resolution);  // where sizes are called that
 ///
 /// and optionally
 ///
@@ -75,6 +76,12 @@ EstimatorEntry estimator_entry() {
                     return {};
                 }
             },
+            .samples_of_resolution =
+                [] {
+                    std::uint64_t (*function)(std::uint64_t) = nullptr;
+                    if constexpr (requires { T::samples_of_resolution(1); }) function = &T::samples_of_resolution;
+                    return function;
+                }(),
             .nanoseconds =
                 [](const EstimatorOptions& options, const Scene& scene) {
                     if constexpr (requires { T::nanoseconds(options, scene); }) {

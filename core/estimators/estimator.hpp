@@ -165,6 +165,10 @@ struct EstimatorEntry {
     /// estimators with points of their own.
     std::string (*size_problem)(std::uint64_t samples);
 
+    /// The samples_per_patch of a resolution r, as pixels a side of what they are laid on; 0 where there is none. Null
+    /// for estimators without a resolution.
+    std::uint64_t (*samples_of_resolution)(std::uint64_t resolution) = nullptr;
+
     /// Processor time of one evaluation beside that of its point; only ratios matter, for units of about equal length.
     double (*nanoseconds)(const EstimatorOptions& options, const Scene& scene);
 

@@ -135,10 +135,13 @@ Json contests_json(const studies::StudyResults& results, Timed timed) {
                               {"interval", interval_json(handicap.interval)},
                               {"apart", handicap.apart}});
         }
+        Json exact = Json::array();
+        for (const std::size_t cell : contest.exact) exact.push_back(cell_label(plan, plan.cells[cell]));
         rows.push_back({{"scene", plan.scenes[contest.scene].name},
                         {"pair_class", ff::name(contest.pair_class)},
                         {"equal", studies::name(contest.equal)},
                         {"budget", contest.budget},
+                        {"exact", std::move(exact)},
                         {"entrants", std::move(entrants)},
                         {"ratios", std::move(ratios)}});
     }

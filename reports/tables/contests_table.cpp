@@ -2,11 +2,12 @@
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 
-#include "studies/comparison/contests.hpp"
+#include "studies/comparison/decisions.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <utility>
@@ -66,6 +67,21 @@ std::string standing(const Contest& contest, std::size_t entrant) {
         found->interval ? with_ends(found->ratio, found->interval->low, found->interval->high) : brief(found->ratio));
 }
 
+std::vector<std::string> names_of_exact(const studies::StudyPlan& plan, const Contest& contest) {
+    std::vector<std::string> names;
+    for (const std::size_t cell : contest.exact) names.push_back(plan.spec.methods[plan.cells[cell].method].name);
+    return names;
+}
+
+/// What each method does in a contest, as in a cell of the table; those that are exact come first.
+std::vector<std::pair<std::string, std::string>> standings(const studies::StudyPlan& plan, const Contest& contest) {
+    std::vector<std::pair<std::string, std::string>> all;
+    for (std::string& method : names_of_exact(plan, contest)) all.emplace_back(std::move(method), "a  exact");
+    for (std::size_t i = 0; i < contest.entrants.size(); ++i)
+        all.emplace_back(name_of(plan, contest, i), standing(contest, i));
+    return all;
+}
+
 std::string kind_of(PairClass pair_class, bool may_be_occluded) {
     return fmt::format("{}{}", name(pair_class), may_be_occluded ? ", maybe occluded" : "");
 }
@@ -111,14 +127,16 @@ Table side_by_side(const studies::StudyResults& results, bool timed) {
         }
         std::set<std::string> seen;
         for (const Contest* contest : contests) {
-            for (std::size_t i = 0; contest != nullptr && i < contest->entrants.size(); ++i) {
-                const std::string method = name_of(plan, *contest, i);
+            if (contest == nullptr) continue;
+            for (const auto& [method, unused] : standings(plan, *contest)) {
                 if (!seen.insert(method).second) continue;
                 std::vector<TableCell> row{method, name(lead->pair_class)};
                 for (const Contest* column : contests) {
                     std::string text = "–";
-                    for (std::size_t k = 0; column != nullptr && k < column->entrants.size(); ++k) {
-                        if (name_of(plan, *column, k) == method) text = standing(*column, k);
+                    if (column != nullptr) {
+                        for (const auto& [other, standing] : standings(plan, *column)) {
+                            if (other == method) text = standing;
+                        }
                     }
                     row.push_back(text);
                 }
@@ -128,6 +146,9 @@ Table side_by_side(const studies::StudyResults& results, bool timed) {
         table.remarks.push_back(
             fmt::format("On {} pairs methods are compared {}.", name(lead->pair_class), listed(budgets)));
     }
+    const bool some_exact = std::any_of(results.contests.begin(), results.contests.end(),
+                                        [](const Contest& contest) { return !contest.exact.empty(); });
+    if (some_exact) table.remarks.emplace_back("exact: to rounding. Ratios are to the best of the others.");
     table.remarks.push_back(
         fmt::format("Intervals of level {:g} hold together for all pairs of methods and all sizes in a column, of a "
                     "class of pairs (Bonferroni). All of them: comparisons.csv.",
@@ -142,12 +163,14 @@ Table side_by_side(const studies::StudyResults& results, bool timed) {
 Table best_of_scenes(const studies::StudyResults& results, Equal equal) {
     const studies::StudyPlan& plan = results.findings.plan;
     Table table{"best-of-scenes", fmt::format("The best methods of each scene, at {}", in_words(equal)),
-                "Methods that are not shown to be worse than the one with the smallest mean square error, and the "
-                "first that is: how many times as large its mean square error is.",
+                "Methods that are exact to rounding, or else those that are not shown to be worse than the one with "
+                "the smallest mean square error; and the first that is: how many times as large its mean square error "
+                "is.",
                 columns({"scene", "pairs", "best", "next"})};
     for (const Contest* contest : studies::main_contests(results.contests, equal)) {
-        std::vector<std::string> best;
-        std::string next = "–";
+        std::vector<std::string> best = names_of_exact(plan, *contest);
+        for (std::string& method : best) method += " (exact)";
+        std::string next = best.empty() ? "–" : name_of(plan, *contest, 0);
         for (std::size_t i = 0; i < contest->entrants.size(); ++i) {
             if (contest->entrants[i].group == 0) best.push_back(name_of(plan, *contest, i));
             if (contest->entrants[i].group > 0 && next == "–")
@@ -174,8 +197,8 @@ Table decisions_table(const studies::StudyResults& results, bool timed) {
     Table table{
         "decisions", fmt::format("Which method to take, at {}", in_words(equal)),
         "Of each kind of pairs the methods that are best in the most scenes: nothing is shown to have a smaller "
-        "mean square error. In parentheses in how many of the scenes that they can do, and how many times the "
-        "smallest mean square error they make where they do worst.",
+        "mean square error, which may be that of rounding. In parentheses in how many of the scenes that they can do, "
+        "and how many times the smallest mean square error they make where they do worst.",
         columns({"pairs", ">scenes", "take", "or"})};
     for (const studies::Decision& decision : studies::decide(plan, results.contests, equal)) {
         // All methods that are best as often as the one at this place.
@@ -194,8 +217,10 @@ Table decisions_table(const studies::StudyResults& results, bool timed) {
             if (place >= decision.choices.size() || decision.choices[place].best == 0) return "–";
             const studies::Choice& choice = decision.choices[place];
             const auto names = alike(place);
-            const std::string worst =
-                names.size() == 1 ? fmt::format(", at worst {}", brief(choice.largest_handicap, 2)) : " each";
+            const std::string worst = names.size() > 1 ? " each"
+                                      : std::isfinite(choice.largest_handicap)
+                                          ? fmt::format(", at worst {}", brief(choice.largest_handicap, 2))
+                                          : ", elsewhere another is exact";
             return fmt::format("{} ({} of {}{})", listed(names), choice.best, choice.entered, worst);
         };
         table.rows.push_back({kind_of(decision.pair_class, decision.may_be_occluded), std::to_string(decision.scenes),

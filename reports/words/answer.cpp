@@ -8,7 +8,7 @@
 #include "reports/words/findings/radiosity_words.hpp"
 #include "reports/words/published_words.hpp"
 #include "studies/analysis/configuration_estimates.hpp"
-#include "studies/comparison/contests.hpp"
+#include "studies/comparison/decisions.hpp"
 
 #include <fmt/format.h>
 

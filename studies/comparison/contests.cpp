@@ -1,7 +1,6 @@
 #include "studies/comparison/contests.hpp"
 
 #include "core/exact/known_factors.hpp"
-#include "core/visibility/occlusion.hpp"
 #include "studies/comparison/ranking.hpp"
 #include "studies/run/measured_costs.hpp"
 #include "studies/trials/estimates.hpp"
@@ -38,15 +37,34 @@ struct Placed {
     stats::Measured logarithm;
 };
 
+/// The error of a cell that takes part; null where its method is a closed form, or where the error has no variance or
+/// may be luck.
+const ClassError* error_of(const Analysis& findings, std::size_t index, PairClass pair_class) {
+    const CellAnalysis& found = findings.cells[index];
+    const Cell& cell = findings.plan.cells[found.cell];
+    const bool takes_part = !estimator_info(findings.plan.spec.methods[cell.method]).exact &&
+                            !may_be_luck(findings.plan, cell) && !found.has_infinite_variance(pair_class);
+    return takes_part ? found.class_error(pair_class) : nullptr;
+}
+
+/// Sets what a trial costs. @return whether that is known
+bool set_cost(const StudyPlan& plan, const Costs& costs, Equal equal, Rung& rung) {
+    if (equal == Equal::processor_time) {
+        if (!costs[rung.cell]) return false;
+        rung.cost = costs[rung.cell]->mean();
+        rung.cost_error = costs[rung.cell]->relative_error();
+    } else {
+        rung.cost = static_cast<double>(evaluations_per_trial(plan, plan.cells[rung.cell]));
+    }
+    return rung.cost > 0;
+}
+
 std::optional<Rung> rung_of(const Analysis& findings, std::size_t index, PairClass pair_class) {
     const CellAnalysis& found = findings.cells[index];
     const Cell& cell = findings.plan.cells[found.cell];
-    const ClassError* error = found.class_error(pair_class);
+    const ClassError* error = error_of(findings, index, pair_class);
     // No ratio to a value that is exact up to rounding is formed.
-    if (error == nullptr || found.has_infinite_variance(pair_class) || error->rmse < rounding_error)
-        return std::nullopt;
-    if (estimator_info(findings.plan.spec.methods[cell.method]).exact || may_be_luck(findings.plan, cell))
-        return std::nullopt;
+    if (error == nullptr || error->rmse < rounding_error) return std::nullopt;
     Rung rung;
     rung.cell = found.cell;
     rung.mean_square = std::pow(error->rmse, 2);
@@ -67,15 +85,7 @@ std::vector<Contender> contenders(const Analysis& findings, const Costs& costs, 
         const Cell& cell = plan.cells[i];
         if (cell.scene != scene) continue;
         auto rung = rung_of(findings, i, pair_class);
-        if (!rung) continue;
-        if (equal == Equal::processor_time) {
-            if (!costs[i]) continue;
-            rung->cost = costs[i]->mean();
-            rung->cost_error = costs[i]->relative_error();
-        } else {
-            rung->cost = static_cast<double>(evaluations_per_trial(plan, cell));
-        }
-        if (rung->cost > 0) of_patches[{cell.method, cell.subdivision.m}].push_back(*rung);
+        if (rung && set_cost(plan, costs, equal, *rung)) of_patches[{cell.method, cell.subdivision.m}].push_back(*rung);
     }
     std::set<std::size_t> grow_by_samples;
     for (const auto& [of, rungs] : of_patches) {
@@ -94,6 +104,25 @@ std::vector<Contender> contenders(const Analysis& findings, const Costs& costs, 
         for (std::size_t i = 1; i < ladder.size(); ++i) ladder[i].cost = std::max(ladder[i].cost, ladder[i - 1].cost);
         all.push_back(std::move(ladder));
     }
+    return all;
+}
+
+/// The cheapest size of each method that is exact to rounding.
+std::vector<Rung> exact_sizes(const Analysis& findings, const Costs& costs, std::size_t scene, PairClass pair_class,
+                              Equal equal) {
+    const StudyPlan& plan = findings.plan;
+    std::map<std::size_t, Rung> cheapest;
+    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
+        const ClassError* error = plan.cells[i].scene == scene ? error_of(findings, i, pair_class) : nullptr;
+        if (error == nullptr || error->rmse >= rounding_error) continue;
+        Rung rung;
+        rung.cell = findings.cells[i].cell;
+        if (!set_cost(plan, costs, equal, rung)) continue;
+        const auto [known, is_new] = cheapest.try_emplace(plan.cells[i].method, rung);
+        if (!is_new && rung.cost < known->second.cost) known->second = rung;
+    }
+    std::vector<Rung> all;
+    for (const auto& [method, rung] : cheapest) all.push_back(rung);
     return all;
 }
 
@@ -151,7 +180,7 @@ std::optional<Placed> to_error(const Contender& contender, double target) {
 
 /// The costs, or mean square errors, that contests are held at: those of the contender with the most sizes, and one
 /// more: the least cost that every contender can keep to, or the least error that any contender reaches.
-std::vector<double> budgets(const std::vector<Contender>& all, Equal equal) {
+std::vector<double> budgets(const std::vector<Contender>& all, const std::vector<Rung>& exact, Equal equal) {
     const auto longest = std::ranges::max_element(all, {}, [](const Contender& each) { return each.size(); });
     const bool of_errors = equal == Equal::error;
     std::vector<double> budgets;
@@ -159,6 +188,8 @@ std::vector<double> budgets(const std::vector<Contender>& all, Equal equal) {
     double for_all = of_errors ? std::numeric_limits<double>::infinity() : 0;
     for (const Contender& each : all)
         for_all = of_errors ? std::min(for_all, each.back().mean_square) : std::max(for_all, each.front().cost);
+    for (const Rung& rung : exact)
+        if (!of_errors) for_all = std::max(for_all, rung.cost);
     budgets.push_back(for_all);
     std::ranges::sort(budgets);
     budgets.erase(std::unique(budgets.begin(), budgets.end()), budgets.end());
@@ -203,16 +234,31 @@ double shared_noise(const CellReader& cells, std::size_t a, std::size_t b, PairC
 /// The contests of a scene and class with the same thing equal, whose intervals hold together.
 class Family {
   public:
-    Family(const CellReader& cells, Contest kind, const std::vector<Contender>& all) : cells_(&cells) {
-        if (all.size() < 2) return;
-        for (const double budget : budgets(all, kind.equal)) {
+    Family(const CellReader& cells, Contest kind, const std::vector<Contender>& all, const std::vector<Rung>& exact)
+        : cells_(&cells) {
+        if (all.empty()) return;
+        const auto method_of = [&](std::size_t cell) { return cells.plan().cells[cell].method; };
+        for (const double budget : budgets(all, exact, kind.equal)) {
             std::vector<Placed> placed;
             for (const Contender& contender : all) {
                 if (auto entrant =
                         kind.equal == Equal::error ? to_error(contender, budget) : at_budget(contender, budget))
                     placed.push_back(*entrant);
             }
-            if (placed.size() < 2) continue;
+            kind.exact.clear();
+            for (const Rung& rung : exact) {
+                const auto is_same = [&](const Placed& each) {
+                    return method_of(each.entrant.cell) == method_of(rung.cell);
+                };
+                const auto itself = std::ranges::find_if(placed, is_same);
+                // To an error, a size of the same method that is not exact may be the cheaper one.
+                if (kind.equal == Equal::error ? itself != placed.end() && itself->entrant.value <= rung.cost
+                                               : rung.cost > budget * (1 + 1e-9))
+                    continue;
+                std::erase_if(placed, is_same);
+                kind.exact.push_back(rung.cell);
+            }
+            if (placed.empty() || placed.size() + kind.exact.size() < 2) continue;
             std::ranges::stable_sort(placed, {}, [](const Placed& each) { return each.entrant.value; });
             pairs_ += static_cast<double>(placed.size() * (placed.size() - 1)) / 2;
             kind.budget = kind.equal == Equal::error ? std::sqrt(budget) : budget;
@@ -242,7 +288,8 @@ class Family {
         }
         const auto groups = groups_apart(
             values, [&](std::size_t a, std::size_t b) { return differ[std::min(a, b) * n + std::max(a, b)]; });
-        for (std::size_t a = 0; a < n; ++a) contest.entrants[a].group = groups[a];
+        const std::size_t first = contest.exact.empty() ? 0 : 1;
+        for (std::size_t a = 0; a < n; ++a) contest.entrants[a].group = first + groups[a];
     }
 
     [[nodiscard]] Handicap compare(const Contest& contest, const std::vector<Placed>& placed, std::size_t a,
@@ -267,20 +314,6 @@ class Family {
     double pairs_ = 0;  ///< number of pairs of entrants, in all contests
 };
 
-void add_contest(const StudyPlan& plan, const Contest& contest, std::map<std::size_t, Choice>& choices) {
-    std::set<std::size_t> counted;  // a method may enter with several numbers of patches: its best counts
-    for (std::size_t i = 0; i < contest.entrants.size(); ++i) {
-        const Entrant& entrant = contest.entrants[i];
-        const std::size_t method = plan.cells[entrant.cell].method;
-        if (!counted.insert(method).second) continue;
-        Choice& choice = choices[method];
-        choice.method = method;
-        ++choice.entered;
-        if (entrant.group == 0) ++choice.best;
-        choice.largest_handicap = std::max(choice.largest_handicap, entrant.value / contest.entrants.front().value);
-    }
-}
-
 }  // namespace
 
 std::vector<Contest> hold_contests(const CellReader& cells, const Analysis& findings) {
@@ -290,7 +323,8 @@ std::vector<Contest> hold_contests(const CellReader& cells, const Analysis& find
         for (const PairClass pair_class : pair_classes) {
             for (const Equal equal : {Equal::evaluations, Equal::processor_time, Equal::error}) {
                 Family family(cells, {scene, pair_class, equal, 0, {}, {}},
-                              contenders(findings, costs, scene, pair_class, equal));
+                              contenders(findings, costs, scene, pair_class, equal),
+                              exact_sizes(findings, costs, scene, pair_class, equal));
                 for (Contest& contest : family.decide(findings.plan.spec.level)) contests.push_back(std::move(contest));
             }
         }
@@ -303,41 +337,14 @@ std::vector<const Contest*> main_contests(std::span<const Contest> contests, Equ
     for (const Contest& contest : contests) {
         if (contest.equal != equal) continue;
         const Contest*& best = chosen[{contest.scene, contest.pair_class}];
-        const std::size_t most = best == nullptr ? 0 : best->entrants.size();
-        const bool as_many = contest.entrants.size() == most && equal != Equal::error;  // budgets ascend
-        if (contest.entrants.size() > most || as_many) best = &contest;
+        const auto methods = [](const Contest& of) { return of.entrants.size() + of.exact.size(); };
+        const std::size_t most = best == nullptr ? 0 : methods(*best);
+        const bool as_many = methods(contest) == most && equal != Equal::error;  // budgets ascend
+        if (methods(contest) > most || as_many) best = &contest;
     }
     std::vector<const Contest*> result;
     for (const auto& [of, contest] : chosen) result.push_back(contest);
     return result;
-}
-
-bool may_be_occluded(const Scene& scene, PairClass wanted) {
-    const auto all = distinct_pairs(scene.faces.size(), Completion::direct);
-    const auto pairs = pairs_of_class(scene, known_pairs(all, known_factors(scene)), wanted);
-    return std::ranges::any_of(
-        pairs, [&](const Quantity pair) { return ff::may_be_occluded(scene, pair.from - 1, pair.to - 1); });
-}
-
-std::vector<Decision> decide(const StudyPlan& plan, std::span<const Contest> contests, Equal equal) {
-    if (plan.scenes.size() < 2) return {};
-    std::map<std::pair<PairClass, bool>, std::pair<std::size_t, std::map<std::size_t, Choice>>> kinds;
-    for (const Contest* contest : main_contests(contests, equal)) {
-        const bool occluded = may_be_occluded(plan.scenes[contest->scene], contest->pair_class);
-        auto& [scenes, choices] = kinds[{contest->pair_class, occluded}];
-        ++scenes;
-        add_contest(plan, *contest, choices);
-    }
-    std::vector<Decision> decisions;
-    for (const auto& [kind, found] : kinds) {
-        const auto& [scenes, choices] = found;
-        Decision& decision = decisions.emplace_back(Decision{kind.first, kind.second, equal, scenes, {}});
-        for (const auto& [method, choice] : choices) decision.choices.push_back(choice);
-        std::ranges::stable_sort(decision.choices, [](const Choice& a, const Choice& b) {
-            return a.best != b.best ? a.best > b.best : a.largest_handicap < b.largest_handicap;
-        });
-    }
-    return decisions;
 }
 
 }  // namespace ff::studies

@@ -44,15 +44,19 @@ struct Handicap {
     bool apart = false;                       ///< the ratio is shown to be above 1
 };
 
-/// All methods of a study on a class of pairs of a scene, at one budget. Intervals hold together for all pairs of
-/// entrants and all budgets of a scene and class (Bonferroni), so that being the best of many is paid for.
+/// Methods of a study on a class of pairs of a scene, at one budget: an entrant, and another or an exact one. Intervals
+/// hold together for all pairs of entrants and all budgets of a scene and class (Bonferroni), so that being the best of
+/// many is paid for.
 struct Contest {
     std::size_t scene = 0;
     PairClass pair_class = PairClass::other;
     Equal equal = Equal::evaluations;
     double budget = 0;              ///< evaluations, seconds, or an RMSE
-    std::vector<Entrant> entrants;  ///< best first; two at least
+    std::vector<Entrant> entrants;  ///< best first
     std::vector<Handicap> handicaps;
+    /// Cells of methods that the budget makes exact to rounding, the cheapest of each. They are better than all
+    /// entrants, by no ratio that means anything, and the groups of entrants then begin at 1.
+    std::vector<std::size_t> exact = {};
 };
 
 /// Budgets are those of the method with the most sizes, plus one that all methods can use. Closed forms, unrandomised
@@ -64,28 +68,5 @@ std::vector<Contest> hold_contests(const CellReader& cells, const Analysis& find
 /// The most informative contest of a scene and class: among those with the most entrants, the one with the largest
 /// budget or the smallest error.
 std::vector<const Contest*> main_contests(std::span<const Contest> contests, Equal equal);
-
-/// The results of a method on all scenes of a kind.
-struct Choice {
-    std::size_t method = 0;       ///< index into StudySpec::methods
-    std::size_t entered = 0;      ///< scenes
-    std::size_t best = 0;         ///< scenes where nothing is shown to be better
-    double largest_handicap = 1;  ///< largest estimated ratio to the best entrant
-};
-
-/// Which method to take for a kind of pairs, by the main contests of a study.
-struct Decision {
-    PairClass pair_class = PairClass::other;
-    bool may_be_occluded = false;  ///< whether something may stand in between
-    Equal equal = Equal::evaluations;
-    std::size_t scenes = 0;
-    std::vector<Choice> choices;  ///< most often best first; ties by the smaller handicap
-};
-
-/// Empty where a study has one scene.
-std::vector<Decision> decide(const StudyPlan& plan, std::span<const Contest> contests, Equal equal);
-
-/// Whether something may stand between two faces of a class, among pairs with an exact value.
-bool may_be_occluded(const Scene& scene, PairClass wanted);
 
 }  // namespace ff::studies

@@ -214,6 +214,8 @@ const EstimatorEntry& load_command_estimator(std::string_view name, const std::f
             "{} (it does not get the scene). Add {{scene}}, {{obj}}, {{vs3}} or {{toml}}: the "
             "file's name stands there.",
             program->title());
+    program->expect_placeholders_among(
+        {any_format, formats[0].placeholder, formats[1].placeholder, formats[2].placeholder, "{samples}"});
     return add(std::make_unique<AddedEstimator>(
         AddedEstimator::Texts{program->full_name(), "form factors that a program prints",
                               "The program is run for each trial, and a few times at first to see that it prints the "

@@ -102,6 +102,7 @@ const samplers::CatalogueEntry& sampler_of_user(std::string_view name, double de
 const samplers::CatalogueEntry& load_command_sampler(std::string_view name, const std::filesystem::path& folder,
                                                      double deadline) {
     auto program = std::make_shared<Program>(name, folder, deadline);
+    program->expect_placeholders_among({"{n}", "{d}", "{requests}"});
     samplers::SamplerInfo traits;
     traits.randomised = program->is_randomised();
     traits.nanoseconds = nanoseconds_of_a_point;

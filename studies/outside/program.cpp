@@ -1,10 +1,12 @@
 #include "studies/outside/program.hpp"
 
 #include "core/support/error.hpp"
+#include "core/support/nearest_name.hpp"
 #include "studies/point_files/file_sampler.hpp"
 #include "studies/readers/printable.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -119,6 +121,20 @@ std::string Program::title() const {
 
 bool Program::has(std::string_view placeholder) const {
     return text_.find(placeholder) != std::string::npos;
+}
+
+void Program::expect_placeholders_among(std::vector<std::string_view> known) const {
+    known.insert(known.end(), {"{seed}", "{trial}"});
+    const std::string_view text = text_;
+    for (std::size_t begin = text.find('{'); begin != text.npos; begin = text.find('{', begin + 1)) {
+        const std::size_t end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_", begin + 1);
+        const bool of_a_shell = begin > 0 && text[begin - 1] == '$';
+        if (end == text.npos || text[end] != '}' || end == begin + 1 || of_a_shell) continue;
+        const std::string_view word = text.substr(begin, end + 1 - begin);
+        if (std::find(known.begin(), known.end(), word) != known.end()) continue;
+        throw UserError("{} ({} is not replaced by anything). {}There are {}; a script may hold other braces.",
+                        visible_text(title()), word, did_you_mean(word, known), fmt::join(known, ", "));
+    }
 }
 
 std::string Program::run(const std::string& place, Seed seed, Values values, std::uint64_t most_output) const {

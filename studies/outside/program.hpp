@@ -41,6 +41,9 @@ class Program {
     /// "command:…" without a hash, for messages.
     [[nodiscard]] std::string title() const;
     [[nodiscard]] bool has(std::string_view placeholder) const;
+    /// Refuses words in braces that nothing replaces: {sample} for {samples} would reach the program as it stands.
+    /// @param known  placeholders of this kind of program; {seed} and {trial} are known to all  @throws UserError
+    void expect_placeholders_among(std::vector<std::string_view> known) const;
     /// Whether one process answers many requests, given as lines on its standard input.
     [[nodiscard]] bool takes_requests() const { return has(requests); }
     /// Whether runs differ from trial to trial.

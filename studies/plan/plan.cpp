@@ -1,5 +1,6 @@
 #include "studies/plan/plan.hpp"
 
+#include "core/estimators/added.hpp"
 #include "core/geometry/placement.hpp"
 #include "core/radiosity/patch_factors.hpp"
 #include "core/support/error.hpp"
@@ -194,6 +195,8 @@ std::uint64_t evaluations_per_trial(const StudyPlan& plan, const Cell& cell) {
 double expected_seconds_per_trial(const StudyPlan& plan, const Cell& cell) {
     const Method& method = plan.spec.methods[cell.method];
     const EstimatorEntry& estimator = find_estimator(method.estimator);
+    if (find_added_estimator(method.estimator) != nullptr && estimator.info.nanoseconds > 0)
+        return 1e-9 * estimator.info.nanoseconds;
     const double each = estimator.nanoseconds(estimator_options(method), plan.scenes[cell.scene]);
     if (!estimator.info.takes_points() && !estimator.info.own_points) return 1e-9 * each;
     // Points that are the same for all pairs of patches are made once.

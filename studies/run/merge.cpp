@@ -220,6 +220,8 @@ CommonTrials common_trials(const Store& stored, const StudyPlan& plan) {
         if (finished[unit]) common.left_behind += old.units[unit].trials;
     }
     for (const WorkUnit& unit : plan.units) common.wanted += unit.trials;
+    std::uint64_t within = 0;
+    std::uint64_t beyond = 0;
     for (std::size_t here = 0; here < plan.cells.size(); ++here) {
         const auto match = known.find(identity(plan, plan.cells[here]));
         if (match == known.end()) continue;
@@ -228,6 +230,12 @@ CommonTrials common_trials(const Store& stored, const StudyPlan& plan) {
         const auto units_of = [](const StudyPlan& of, const std::vector<std::size_t>& first, std::size_t cell) {
             return std::span(of.units).subspan(first[cell], first[cell + 1] - first[cell]);
         };
+        for (const WorkUnit& unit : units_of(old, first_there, there)) {
+            const std::uint64_t end = unit.first_trial + unit.trials;
+            const std::uint64_t ours = std::clamp(plan.cells[here].trials, unit.first_trial, end) - unit.first_trial;
+            if (finished[unit.index]) within += ours;
+            if (finished[unit.index]) beyond += unit.trials - ours;
+        }
         const bool adaptive = plan.spec.until && !plan.cells[here].deterministic;
         for (const Range& range :
              common_ranges(units_of(old, first_there, there), units_of(plan, first_here, here), finished,
@@ -236,6 +244,7 @@ CommonTrials common_trials(const Store& stored, const StudyPlan& plan) {
             common.ranges.push_back(range);
         }
     }
+    if (within == common.wanted && within + beyond == common.left_behind) common.beyond = beyond;
     common.left_behind -= common.reused;
     return common;
 }

@@ -36,6 +36,7 @@ struct CommonTrials {
     std::vector<Range> ranges;
     std::uint64_t reused = 0;
     std::uint64_t left_behind = 0;  ///< saved trials that are not part of this study
+    std::uint64_t beyond = 0;       ///< saved trials beyond this study, if that is all that it lacks; otherwise 0
     std::uint64_t wanted = 0;       ///< total of this study
 };
 

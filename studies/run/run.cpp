@@ -131,10 +131,6 @@ class Workshop {
     std::vector<std::thread> threads_;
 };
 
-double expected_seconds(const StudyPlan& plan, const WorkUnit& unit) {
-    return static_cast<double>(unit.trials) * expected_seconds_per_trial(plan, plan.cells[unit.cell]);
-}
-
 /// Units of the shard that are wanted and not finished yet.
 std::vector<const WorkUnit*> missing_units(const StudyPlan& plan, const std::vector<bool>& finished,
                                            const std::vector<bool>& wanted, const RunOptions& options) {
@@ -155,30 +151,29 @@ std::vector<const WorkUnit*> own_units(const std::vector<const WorkUnit*>& missi
     return own;
 }
 
-/// Counts what is wanted and what of it is done.
+/// Counts what is wanted and what of it is done. @param before  units that were finished when the run began
 void count_units(const StudyPlan& plan, const std::vector<bool>& finished, const std::vector<bool>& wanted,
-                 const RunOptions& options, RunProgress& progress) {
+                 const std::vector<bool>& before, const RunOptions& options, RunProgress& progress, Pace& pace) {
     progress.units = progress.units_done = 0;
-    progress.expected_seconds = progress.expected_seconds_done = 0;
+    pace.begin_round();
     for (const WorkUnit& unit : plan.units) {
         if (!wanted[unit.index] || !options.shard.holds(unit.index)) continue;
         ++progress.units;
-        progress.expected_seconds += expected_seconds(plan, unit);
-        if (!finished[unit.index]) continue;
-        ++progress.units_done;
-        progress.expected_seconds_done += expected_seconds(plan, unit);
+        if (finished[unit.index]) ++progress.units_done;
+        pace.count(unit, finished[unit.index], before[unit.index]);
     }
 }
 
 void run_round(Store& store, const Worker& worker, const std::vector<const WorkUnit*>& missing,
-               const RunOptions& options, RunProgress& progress) {
+               const RunOptions& options, RunProgress& progress, Pace& pace) {
     const StudyPlan& plan = store.plan();
     Workshop workshop(worker, own_units(missing, options), options);
     while (const auto record = workshop.take()) {
         store.commit(*record);
         const WorkUnit& unit = plan.units[record->unit];
         ++progress.units_done;
-        progress.expected_seconds_done += expected_seconds(plan, unit);
+        pace.finish(unit, record->processor_seconds);
+        progress.seconds = pace.seconds();
         progress.evaluations += unit.trials * evaluations_per_trial(plan, plan.cells[unit.cell]);
         progress.unit = unit.index;
         progress.processor_seconds = record->processor_seconds;
@@ -194,6 +189,8 @@ RunOutcome run_study(Store& store, const RunOptions& options) {
     const StudyPlan& plan = store.plan();
     const Worker worker(plan, options.drop);
     RunProgress progress;
+    Pace pace(plan);
+    const std::vector<bool> before = store.finished_units();
     // An adaptive study has two rounds: what the second needs is known when the first is saved. Others have one, in
     // which other processes are waited for even where nothing is missing.
     for (bool first = true;; first = false) {
@@ -201,8 +198,8 @@ RunOutcome run_study(Store& store, const RunOptions& options) {
         const std::vector<bool> wanted = needed_units(store);
         const auto missing = missing_units(plan, finished, wanted, options);
         if (missing.empty() && !first) return RunOutcome::complete;
-        count_units(plan, finished, wanted, options, progress);
-        run_round(store, worker, missing, options, progress);
+        count_units(plan, finished, wanted, before, options, progress, pace);
+        run_round(store, worker, missing, options, progress, pace);
         if (progress.units_done < progress.units) return RunOutcome::stopped;
         if (!plan.spec.until) return RunOutcome::complete;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "studies/plan/plan.hpp"
+#include "studies/run/pace.hpp"
 #include "studies/run/parallel.hpp"
 #include "studies/store/store.hpp"
 
@@ -14,11 +15,10 @@ namespace ff::studies {
 struct RunProgress {
     std::size_t units_done = 0;
     std::size_t units = 0;
-    double expected_seconds_done = 0;  ///< seconds on one core, by the plan's cost table
-    double expected_seconds = 0;
-    std::uint64_t evaluations = 0;         ///< evaluations in this run
-    std::size_t unit = 0;                  ///< the last saved unit
-    double processor_seconds = 0;          ///< measured for that unit; 0 where another process ran it
+    Pace::Seconds seconds;          ///< processor time, by the plan's prices as far as measured ones correct them
+    std::uint64_t evaluations = 0;  ///< evaluations in this run
+    std::size_t unit = 0;           ///< the last saved unit
+    double processor_seconds = 0;   ///< measured for that unit; 0 where another process ran it
     double processor_seconds_squared = 0;  ///< sum over its trials of the square of each one's
 };
 

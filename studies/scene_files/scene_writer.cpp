@@ -88,16 +88,18 @@ bool is_of_polygons(const Scene& scene) {
 std::string obj_text(const Scene& scene) {
     std::string text = scene.closed ? "# closed\n" : "";
     std::string group;
+    std::size_t vertex = 0;
     by_faces(scene, [&](const Surface& surface) {
         const std::string name =
             surface.face == no_face ? std::string(occluder_group) : scene.faces[static_cast<std::size_t>(surface.face)];
         if (name != group) text += fmt::format("g {}\n", name);
         group = name;
-        const auto corners = outline(surface);
-        for (const Vector3d& corner : corners) text += fmt::format("v {} {} {}\n", corner.x(), corner.y(), corner.z());
-        text += "f";
-        for (auto back = corners.size(); back > 0; --back) text += fmt::format(" -{}", back);
-        text += '\n';
+        std::string polygon = "f";
+        for (const Vector3d& corner : outline(surface)) {
+            text += fmt::format("v {} {} {}\n", corner.x(), corner.y(), corner.z());
+            polygon += fmt::format(" {}", ++vertex);
+        }
+        text += polygon + "\n";
     });
     return text;
 }

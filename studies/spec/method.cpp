@@ -137,8 +137,24 @@ std::vector<std::uint32_t> read_patches_per_face(const TomlReader& reader) {
     return patches;
 }
 
+/// The samples of the resolutions of a projection.
+std::vector<std::uint64_t> read_resolutions(const TomlReader& reader, const EstimatorEntry& estimator) {
+    constexpr std::uint64_t most_resolution = 1u << 15;
+    if (reader.has("samples_per_patch"))
+        reader.fail("resolution", "(stands beside samples_per_patch, which says the same). Keep one.");
+    std::vector<std::uint64_t> samples;
+    for (const std::uint64_t resolution : reader.counts("resolution")) {
+        samples.push_back(resolution > most_resolution ? 0 : estimator.samples_of_resolution(resolution));
+        if (samples.back() == 0)
+            reader.fail("resolution",
+                        fmt::format("({} has no resolution {}). Try 32 or 512.", estimator.info.name, resolution));
+    }
+    return samples;
+}
+
 /// Numbers of points for an estimator that makes its own points.
 std::vector<std::uint64_t> read_own_samples(const TomlReader& reader, const EstimatorEntry& estimator) {
+    if (reader.has("resolution")) return read_resolutions(reader, estimator);
     auto samples = reader.counts("samples_per_patch");
     for (const std::uint64_t count : samples) {
         if (count > max_samples)
@@ -182,6 +198,10 @@ std::vector<Size> read_sizes(const TomlReader& reader, const samplers::SamplerIn
         reader.fail("samples_per_patch",
                     "(this method takes no samples). Remove the key; Gauss-Legendre takes 'nodes'.");
     }
+    if (reader.has("resolution") && estimator.samples_of_resolution == nullptr)
+        reader.fail("resolution",
+                    fmt::format("({} has none). Remove the key; hemicube, cubic_tetrahedron and single_plane have one.",
+                                method.estimator));
     std::vector<Size> sizes;
     const std::vector<std::uint64_t> none{0};
     const auto samples = own_points     ? read_own_samples(reader, estimator)
@@ -250,10 +270,10 @@ EstimatorOptions estimator_options(const Method& method) {
 }
 
 Method read_method(const TomlReader& reader, std::span<const std::string_view> other_keys) {
-    std::vector<std::string_view> known{"name",       "sampler",       "randomise",        "estimator",
-                                        "completion", "allocation",    "tracer",           "map",
-                                        "nodes",      "sizes",         "patches_per_face", "samples_per_patch",
-                                        "trials",     "claimed_error", "claimed_level"};
+    std::vector<std::string_view> known{"name",       "sampler",    "randomise",        "estimator",
+                                        "completion", "allocation", "tracer",           "map",
+                                        "nodes",      "sizes",      "patches_per_face", "samples_per_patch",
+                                        "resolution", "trials",     "claimed_error",    "claimed_level"};
     known.insert(known.end(), other_keys.begin(), other_keys.end());
     reader.expect_only(known);
     Method method;
@@ -292,7 +312,8 @@ Method read_method(const TomlReader& reader, std::span<const std::string_view> o
         expect_unique_sizes(reader, method);
         return method;
     }
-    static constexpr std::array<std::string_view, 3> size_keys{"patches_per_face", "samples_per_patch", "trials"};
+    static constexpr std::array<std::string_view, 4> size_keys{"patches_per_face", "samples_per_patch", "resolution",
+                                                               "trials"};
     for (const std::string_view key : size_keys) {
         if (reader.has(key)) reader.fail(key, "(stands beside 'sizes', which says it for each size). Move it there.");
     }

@@ -28,7 +28,7 @@ constexpr const char* outside_samplers_table =
 /// Made only where a study has such estimators.
 constexpr const char* outside_estimators_table =
     "CREATE TABLE IF NOT EXISTS outside_estimators(estimator TEXT PRIMARY KEY, summary TEXT NOT NULL, details TEXT NOT "
-    "NULL, sizes INTEGER NOT NULL, randomised INTEGER NOT NULL) WITHOUT ROWID";
+    "NULL, sizes INTEGER NOT NULL, randomised INTEGER NOT NULL, nanoseconds REAL NOT NULL) WITHOUT ROWID";
 
 /// Bytes in words, the last filled up with zeros.
 std::vector<std::uint64_t> in_words(std::string_view bytes) {
@@ -56,8 +56,8 @@ void write_declaration(Database& database, const samplers::SamplerInfo& info) {
 
 void write_declaration(Database& database, const EstimatorInfo& info) {
     database.execute(outside_estimators_table);
-    Statement(database.handle(), "INSERT OR IGNORE INTO outside_estimators VALUES(?, ?, ?, ?, ?)")
-        .with(info.name, info.summary, info.details, info.own_points, info.randomised)
+    Statement(database.handle(), "INSERT OR IGNORE INTO outside_estimators VALUES(?, ?, ?, ?, ?, ?)")
+        .with(info.name, info.summary, info.details, info.own_points, info.randomised, info.nanoseconds)
         .run();
 }
 
@@ -74,11 +74,16 @@ void restore_files(const Database& database) {
     for (auto& [sampler, content] : contents) restore_point_file(sampler, std::move(content));
 }
 
+/// Whether a table has the cost of points or trials, on which the division into units of work depends; earlier stores
+/// do not.
+bool has_cost_in(const Database& database, std::string_view table) {
+    Statement column(database.handle(), "SELECT 1 FROM pragma_table_info(?) WHERE name = 'nanoseconds'");
+    return column.with(table).step();
+}
+
 /// Adds the samplers that a store declares. A sampler that is loaded already does not change.
 void restore_declarations(const Database& database) {
-    // The division into units of work depends on the cost of points, which earlier stores do not contain.
-    Statement column(database.handle(), "SELECT 1 FROM pragma_table_info('outside_samplers') WHERE name = ?");
-    const bool has_cost = column.with("nanoseconds").step();
+    const bool has_cost = has_cost_in(database, "outside_samplers");
     Statement rows(database.handle(), "SELECT * FROM outside_samplers");
     while (rows.step()) {
         samplers::SamplerInfo traits;
@@ -97,10 +102,12 @@ void restore_declarations(const Database& database) {
 }
 
 void restore_estimators(const Database& database) {
-    Statement rows(database.handle(), "SELECT estimator, summary, details, sizes, randomised FROM outside_estimators");
+    const bool has_cost = has_cost_in(database, "outside_estimators");
+    Statement rows(database.handle(), "SELECT * FROM outside_estimators");
     while (rows.step()) {
+        const double cost = has_cost ? rows.real(5) : 0;
         add(std::make_unique<AddedEstimator>(AddedEstimator::Texts{rows.text(0), rows.text(1), rows.text(2)},
-                                             program_traits(rows.integer(3) != 0, rows.integer(4) != 0), nullptr,
+                                             program_traits(rows.integer(3) != 0, rows.integer(4) != 0, cost), nullptr,
                                              nullptr));
     }
 }

@@ -120,6 +120,7 @@ class Hemicube : public ByPixels<Hemicube> {
     using ByPixels::ByPixels;
 
     static std::uint64_t count(std::uint64_t half_r) { return 12 * half_r * half_r; }
+    static std::uint64_t samples_of_resolution(std::uint64_t r) { return r % 2 == 0 ? count(r / 2) : 0; }
     static PixelDirections lay(std::uint64_t half_r);
 };
 
@@ -143,6 +144,7 @@ class CubicTetrahedron : public ByPixels<CubicTetrahedron> {
     using ByPixels::ByPixels;
 
     static std::uint64_t count(std::uint64_t r_less_1) { return 3 * (r_less_1 + 1) * r_less_1 / 2; }
+    static std::uint64_t samples_of_resolution(std::uint64_t r) { return r > 0 ? count(r - 1) : 0; }
     static PixelDirections lay(std::uint64_t r_less_1);
 };
 
@@ -169,6 +171,7 @@ class SinglePlane : public ByPixels<SinglePlane> {
     using ByPixels::ByPixels;
 
     static std::uint64_t count(std::uint64_t half_r) { return 4 * half_r * half_r; }
+    static std::uint64_t samples_of_resolution(std::uint64_t r) { return r % 2 == 0 ? count(r / 2) : 0; }
     static PixelDirections lay(std::uint64_t half_r);
 };
 

@@ -88,9 +88,18 @@ std::vector<std::string> take_one(const studies::StudyPlan& plan, std::vector<Ra
 std::vector<std::string> each_by_itself(const studies::StudyPlan& plan, std::vector<Ranking> rankings,
                                         const Comparative& comparative, Words words) {
     for (Ranking& ranking : rankings) {
-        if (words == Words::names_alone && !ranking.leaders.empty() && ranking.methods.size() > 1 &&
-            !is_exact(ranking)) {
+        if (words == Words::names_alone && ranking.but.empty() && !ranking.leaders.empty() &&
+            ranking.methods.size() > 1 && !is_exact(ranking)) {
             ranking.brief = fmt::format("{} take {}", ranking.at, listed(ranking.leaders, 4, "or"));
+        } else if (!ranking.but.empty() && words == Words::names_alone) {
+            ranking.brief = fmt::format("{} {}", ranking.at, ranking.but);
+        } else if (!ranking.but.empty() && ranking.leaders.size() != 1) {
+            ranking.brief = fmt::format("{} nothing is shown to {} than {}, but {}", ranking.at, comparative.better,
+                                        listed(ranking.leaders, 4, "or"), ranking.but);
+        } else if (!ranking.but.empty()) {
+            const std::string cost = words == Words::with_cost ? "" : ranking.cost;  // which the margin has
+            ranking.brief = fmt::format("{} {} {}{}, but {}", ranking.at, listed(ranking.leaders), ranking.margin, cost,
+                                        ranking.but);
         } else if (ranking.leaders.size() == 1) {
             ranking.brief = fmt::format("{} {} {}", ranking.at, listed(ranking.leaders), ranking.margin);
         } else if (ranking.leaders.empty()) {
@@ -110,7 +119,9 @@ std::vector<std::string> each_by_itself(const studies::StudyPlan& plan, std::vec
 std::vector<std::string> advice_at(const studies::StudyPlan& plan, const std::vector<Ranking>& rankings,
                                    const Comparative& comparative, Words words) {
     const auto is_alone = [](const Ranking& ranking) { return ranking.methods.size() == 1; };
-    if (std::any_of(rankings.begin(), rankings.end(), is_alone))
+    const auto has_doubt = [](const Ranking& ranking) { return !ranking.but.empty(); };
+    if (std::any_of(rankings.begin(), rankings.end(), is_alone) ||
+        std::any_of(rankings.begin(), rankings.end(), has_doubt))
         return each_by_itself(plan, rankings, comparative, words);
     const auto shows_none = [](const Ranking& ranking) { return ranking.leaders.empty(); };
     if (std::all_of(rankings.begin(), rankings.end(), shows_none)) {

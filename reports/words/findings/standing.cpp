@@ -2,6 +2,7 @@
 
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
+#include "reports/words/findings/equal_cost.hpp"
 #include "studies/comparison/ranking.hpp"
 
 #include <fmt/format.h>
@@ -136,6 +137,8 @@ void rank_rates_of_class(const StudyResults& results, Ranking& ranking, double l
         ranking.caveat = "Methods without an interval are not ranked.";
         ranking.said += "; methods without an interval are not ranked";
     }
+    if (std::string exact = which_are_exact(results, ranking.scene, ranking.pair_class); !exact.empty())
+        ranking.caveat = std::move(exact);
 }
 
 /// "2.1 to 2.4", how many times the error of the second is that of the first.
@@ -144,17 +147,6 @@ std::string times_smaller(const Ranked& first, const Ranked& second) {
     const std::string low = brief(std::exp(second.behind->low));
     const double high = std::exp(second.behind->high);
     return std::isfinite(high) ? from_to(low, brief(high)) : fmt::format("at least {}", low);
-}
-
-/// " with 170 times fewer evaluations"; empty where both have about as many
-std::string at_what_cost(const studies::Analysis& findings, const Ranked& first, const Ranked& second) {
-    const auto evaluations = [&](const Ranked& one) {
-        return static_cast<double>(findings.cells[one.index].evaluations_per_face);
-    };
-    const double ratio = evaluations(second) / evaluations(first);
-    if (!(ratio > 1.5 || ratio < 1 / 1.5)) return {};
-    return ratio > 1 ? fmt::format(" with {} times fewer evaluations", brief(ratio))
-                     : fmt::format(" with {} times more evaluations", brief(1 / ratio));
 }
 
 /// Sets what is shown of the first: "errs 4.9 times less than PDM (4.6 to 5.2)", and at what cost.
@@ -239,6 +231,9 @@ void rank_errors_of_class(const StudyResults& results, Ranking& ranking, double 
     } else {
         ranking.said = fmt::format(" {} ({})", best.tied("have the smallest errors"), rmse);
     }
+    if (best.best < studies::rounding_error || results.published) return;
+    ranking.but = but_at_equal_cost(results, ranked, ranking.scene, ranking.pair_class);
+    if (!ranking.but.empty()) ranking.said += "; " + ranking.but;
 }
 
 void rank_variances_of_size(const StudyResults& results, Ranking& ranking, double level) {

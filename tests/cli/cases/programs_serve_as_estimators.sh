@@ -81,6 +81,12 @@ for how in seldom coarse; do
     done
 done
 
+# A word in braces that nothing replaces is a slip.
+study slip "command:$python fixed.py clock {scene} {sample} {seed}"
+ffstudy run slip.toml
+expect_status 2
+expect_stderr "({sample} is not replaced by anything). Did you mean '{samples}'?"
+
 # refuse CODE HOW TEXT [OPTION...]
 refuse() {
     study "wrong_$2" "command:$python fixed.py $2 {scene} {seed} {trial}"

@@ -159,6 +159,12 @@ serve six garbage
 expect_status 2
 expect_stderr "(not a number)"
 
+ffstudy points 'command:./x {samples} {seed}' --n 4
+expect_status 2
+expect_stderr "({samples} is not replaced by anything). There are {n}, {d}, {requests}, {seed}, {trial}; a script may hold other braces."
+ffstudy points "command:awk 'BEGIN { for (; i < 4; ++i) print \"0 0 0 0\" }'" --n 4
+expect_status 0
+
 # refuse CODE HOW TEXT [OPTION...]: a study of such a program ends so.
 refuse() {
     study wrong "$2"

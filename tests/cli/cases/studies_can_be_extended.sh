@@ -53,6 +53,17 @@ expect_stderr "226 of 1601 trials are there already"
 expect_bytes_of_a_fresh_run
 [ "$(ls out/*.sqlite)" = out/results.sqlite ] || fail "expected one store where nothing was left behind"
 
+# Fewer trials are a part of what is there.
+study 100 0.95 again kernel rays nodes >study.toml
+ffstudy run study.toml --out out --dry-run
+expect_stdout "are none of this study, and need --replace"
+ffstudy run study.toml --out out
+expect_status 2
+expect_stderr "has all trials of this study and 1200 beyond them"
+study 400 0.95 again kernel rays nodes >study.toml
+ffstudy run study.toml --out out --dry-run
+expect_stdout "1601 of 1601 trials are there already"
+
 # What would be left behind is never dropped silently.
 study 400 0.95 kernel >study.toml
 cp out/results.sqlite kept.sqlite

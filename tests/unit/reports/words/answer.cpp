@@ -58,6 +58,23 @@ TEST(Answer, RecommendsMethodsAmongTheBestOnAllPairsOfAllScenes) {
     EXPECT_THAT(said.finding.details, testing::Contains(HasSubstr("n adjacent pairs of cube")));
 }
 
+// A hemicube of 3072 pixels errs less than 64 rays, but as many rays err less than the hemicube.
+TEST(Answer, RecommendsNothingThatOnlyLeadsByItsCost) {
+    const Answer said = answer(results_of("trials = 64", R"([[method]]
+name = "a"
+sampler = "random"
+estimator = "ray_shooting"
+samples_per_patch = 64
+[[method]]
+name = "b"
+estimator = "hemicube"
+resolution = 32
+)"));
+    EXPECT_EQ(said.text.find("Take "), std::string::npos) << said.text;
+    EXPECT_THAT(said.text, HasSubstr("at equal evaluations a errs less"));
+    EXPECT_THAT(said.finding.details, testing::Contains(HasSubstr("; at equal evaluations a errs less")));
+}
+
 TEST(Answer, LeavesThePremiseToTheDetails) {
     const Answer said = answer(test::published_results());
     EXPECT_THAT(said.text, HasSubstr("The 10 printed figures contain 2 contradictions."));

@@ -1,4 +1,4 @@
-#include "studies/comparison/contests.hpp"
+#include "studies/comparison/decisions.hpp"
 
 #include "studies/run/measured_costs.hpp"
 #include "tests/support/box_faces.hpp"
@@ -70,6 +70,38 @@ samples_per_patch = [100, 10000]
     // To B's 0.002 A takes four runs of its largest size.
     EXPECT_NEAR(contests[0].budget, 0.002, 1e-5);
     EXPECT_NEAR(contests[0].handicaps[0].ratio, 4, 0.1);
+}
+
+// Adaptive contour integrals of a cube are exact with 100 evaluations a face.
+TEST(Contests, PutMethodsThatAreExactBeforeAllOthers) {
+    const Store store = test::run(test::plan_of(test::study_text("trials = 20", R"([[method]]
+name = "exact"
+estimator = "adaptive_contour"
+samples_per_patch = 300
+[[method]]
+name = "A"
+sampler = "random"
+estimator = "ray_shooting"
+samples_per_patch = [16, 256]
+[[method]]
+name = "B"
+sampler = "sobol"
+estimator = "ray_shooting"
+samples_per_patch = [16, 256]
+)")));
+    const auto contests = parallel_contests(store, Equal::evaluations);
+    ASSERT_FALSE(contests.empty());
+    for (const Contest& contest : contests) {
+        const bool affordable = contest.budget >= 6 * 300;
+        EXPECT_EQ(contest.exact, affordable ? std::vector<std::size_t>{0} : std::vector<std::size_t>{});
+        ASSERT_EQ(contest.entrants.size(), 2u);
+        EXPECT_EQ(contest.entrants[0].group, affordable ? 1u : 0u);
+        EXPECT_EQ(contest.handicaps.size(), 1u);
+    }
+    EXPECT_GE(contests.back().budget, 6 * 300);
+    const auto errors = parallel_contests(store, Equal::error);
+    ASSERT_FALSE(errors.empty());
+    EXPECT_EQ(errors.front().exact, std::vector<std::size_t>{0});
 }
 
 TEST(Contests, NeedMeasuredCostsAtEqualTime) {

@@ -241,8 +241,8 @@ TEST_F(Run, ReportsProgressThatGrowsToTheEnd) {
     run_study(store, options);
     ASSERT_EQ(reports.size(), store.plan().units.size());
     for (std::size_t i = 0; i < reports.size(); ++i) EXPECT_EQ(reports[i].units_done, i + 1);
-    EXPECT_NEAR(reports.back().expected_seconds_done, reports.back().expected_seconds,
-                1e-9 * reports.back().expected_seconds);
+    EXPECT_NEAR(reports.back().seconds.done, reports.back().seconds.all, 1e-9 * reports.back().seconds.all);
+    EXPECT_EQ(reports.back().seconds.before, 0);
     std::uint64_t evaluations = 0;
     for (const Cell& cell : store.plan().cells) evaluations += cell.trials * evaluations_per_trial(store.plan(), cell);
     EXPECT_EQ(reports.back().evaluations, evaluations);

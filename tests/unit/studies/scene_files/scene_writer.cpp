@@ -54,6 +54,14 @@ TEST(SceneWriter, WritesPolygonsInBothFormatsOfPolygons) {
     EXPECT_GE(written, 5u);
 }
 
+// Many programs do not read the relative indices of OBJ files.
+TEST(SceneWriter, CountsTheCornersOfPolygonsFromOne) {
+    const std::string text = obj_text(built_in_scene("cube"));
+    EXPECT_EQ(text.find("f -"), std::string::npos);
+    EXPECT_NE(text.find("f 1 2 3 4\n"), std::string::npos);
+    EXPECT_NE(text.find("f 21 22 23 24\n"), std::string::npos);
+}
+
 TEST(SceneWriter, KeepsFacesOfSeveralSurfacesAndGrids) {
     const Scene scene =
         make_scene(source_of_file("s.toml",

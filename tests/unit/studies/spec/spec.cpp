@@ -206,6 +206,30 @@ TEST(Spec, PutsThePointsOfPointToPolygonOnTheSourceAlone) {
                 HasSubstr("only ray_shooting, hemicube, cubic_tetrahedron and single_plane have it"));
 }
 
+TEST(Spec, TakesTheResolutionOfAProjection) {
+    const auto text = [](std::string_view estimator, std::string_view size) {
+        return study_text("trials = 9", "[[method]]\nname = \"p\"\nestimator = \"" + std::string(estimator) + "\"\n" +
+                                            std::string(size));
+    };
+    const auto samples = [&](std::string_view estimator) {
+        const Method method = parse_study(text(estimator, "resolution = [16, 32]"), "study.toml").methods.front();
+        return std::pair(method.sizes.at(0).samples_per_patch, method.sizes.at(1).samples_per_patch);
+    };
+    EXPECT_EQ(samples("hemicube"), std::pair(std::optional<std::uint64_t>(768), std::optional<std::uint64_t>(3072)));
+    EXPECT_EQ(samples("cubic_tetrahedron").second, 1488u);
+    EXPECT_EQ(samples("single_plane").first, 256u);
+    EXPECT_EQ(parse_study(text("hemicube", "sizes = [{ patches_per_face = 4, resolution = 512 }]"), "study.toml")
+                  .methods.front()
+                  .sizes.front()
+                  .samples_per_patch,
+              786432u);
+    for (const char* none : {"resolution = 7", "resolution = 0", "resolution = 1000000000000"})
+        EXPECT_THAT(refusal_of_study(text("hemicube", none)), HasSubstr("hemicube has no resolution")) << none;
+    EXPECT_THAT(refusal_of_study(text("hemicube", "resolution = 16\nsamples_per_patch = 768")), HasSubstr("Keep one."));
+    EXPECT_THAT(refusal_of_study(text("ray_shooting", "sampler = \"random\"\nresolution = 16")),
+                HasSubstr("ray_shooting has none"));
+}
+
 TEST(Spec, AcceptsAMapForTheAreaKernelOnly) {
     const auto text = [](std::string_view estimator, std::string_view map) {
         return study_text("trials = 9",
