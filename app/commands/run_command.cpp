@@ -11,6 +11,7 @@
 #include "app/terminal/progress.hpp"
 
 #include "core/support/error.hpp"
+#include "core/support/words.hpp"
 #include "reports/files/output_file.hpp"
 #include "reports/terminal/terminal.hpp"
 #include "studies/results/resources.hpp"
@@ -244,7 +245,10 @@ ExitCode run(const RunCommand& command) {
     const std::string reused = grow_study(out, plan, command.replace, request.threads);
     if (!reused.empty() && !command.quiet) say("note: {}.\n", reused);
     studies::Store store = open_or_create(out, plan);
-    if (is_verbose()) say("{}", reports::terminal_plan(plan, request.threads, {}));
+    if (is_verbose()) {
+        const std::string text = reports::terminal_plan(plan, request.threads, {});
+        for (const std::string_view line : split_at('\n', text)) say("{}\n", line);
+    }
 
     const auto start = std::chrono::steady_clock::now();
     ProgressDisplay progress(command.quiet);

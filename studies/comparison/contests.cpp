@@ -37,8 +37,7 @@ struct Placed {
     stats::Measured logarithm;
 };
 
-/// The error of a cell that takes part; null where its method is a closed form, or where the error has no variance or
-/// may be luck.
+/// The error of a cell that takes part; null for a closed form, without a variance, and where it may be luck.
 const ClassError* error_of(const Analysis& findings, std::size_t index, PairClass pair_class) {
     const CellAnalysis& found = findings.cells[index];
     const Cell& cell = findings.plan.cells[found.cell];
@@ -107,14 +106,15 @@ std::vector<Contender> contenders(const Analysis& findings, const Costs& costs, 
     return all;
 }
 
-/// The cheapest size of each method that is exact to rounding.
+/// The cheapest size of each method that is exact to rounding. In a few trials, hits may be as expected by chance.
 std::vector<Rung> exact_sizes(const Analysis& findings, const Costs& costs, std::size_t scene, PairClass pair_class,
                               Equal equal) {
     const StudyPlan& plan = findings.plan;
     std::map<std::size_t, Rung> cheapest;
     for (std::size_t i = 0; i < plan.cells.size(); ++i) {
         const ClassError* error = plan.cells[i].scene == scene ? error_of(findings, i, pair_class) : nullptr;
-        if (error == nullptr || error->rmse >= rounding_error) continue;
+        const bool few = !plan.cells[i].deterministic && findings.cells[i].trials < 10;
+        if (error == nullptr || error->rmse >= rounding_error || few) continue;
         Rung rung;
         rung.cell = findings.cells[i].cell;
         if (!set_cost(plan, costs, equal, rung)) continue;

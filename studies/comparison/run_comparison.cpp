@@ -333,8 +333,8 @@ RunComparison compare_runs(const Store& first, const Store& second, std::array<s
                     scene.name, scene.difference);
         }
         throw UserError(
-            "nothing to compare (no scene, method and size is in both; scenes are {} there and {} here). Give "
-            "two runs that share the names of some methods.",
+            "nothing to compare (no scene, method and size is in both; scenes are {} there and {} here). Give two runs "
+            "that share some, or one study both methods: it compares unlike sizes at equal cost.",
             scenes_of(a), scenes_of(b));
     }
     judge_cells(tests, out);

@@ -6,6 +6,7 @@ small_study 3 >"$folder/study.toml"
 ffstudy run "$folder/study.toml" --out out -v
 expect_status 0
 expect_stderr "work units"
+! grep -q 'x0a' "$folder/stderr" || fail "expected lines"
 for file in report.html summary.csv results.json context.json; do expect_stderr "wrote out/$file"; done
 ffstudy report out --format csv --out again
 expect_status 0
