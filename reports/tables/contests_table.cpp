@@ -62,6 +62,9 @@ std::string standing(const Contest& contest, std::size_t entrant) {
     const auto found = std::find_if(contest.handicaps.begin(), contest.handicaps.end(), [&](const auto& handicap) {
         return handicap.better == 0 && handicap.worse == entrant;
     });
+    // Trials of microseconds tell no time: their intervals go over many decades.
+    if (found->interval && found->interval->high > 1e4 * found->interval->low && contest.equal == Equal::processor_time)
+        return fmt::format("{}  too short to time", group);
     return fmt::format(
         "{}  {}", group,
         found->interval ? with_ends(found->ratio, found->interval->low, found->interval->high) : brief(found->ratio));

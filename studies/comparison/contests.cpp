@@ -1,8 +1,8 @@
 #include "studies/comparison/contests.hpp"
 
 #include "core/exact/known_factors.hpp"
+#include "studies/comparison/contenders.hpp"
 #include "studies/comparison/ranking.hpp"
-#include "studies/run/measured_costs.hpp"
 #include "studies/trials/estimates.hpp"
 
 #include <algorithm>
@@ -10,121 +10,16 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <set>
 #include <utility>
 
 namespace ff::studies {
 namespace {
-
-/// One size of a method on a class of pairs.
-struct Rung {
-    std::size_t cell = 0;
-    double cost = 0;        ///< evaluations or seconds of a trial
-    double cost_error = 0;  ///< standard error of its logarithm
-    double mean_square = 0;
-    stats::Measured log_mean_square;  ///< its logarithm
-    bool repeatable = false;          ///< the mean of several trials has a smaller error
-};
-
-using Costs = std::vector<std::optional<MeasuredCost>>;  // one for each cell
-
-/// Sizes of a method that differ in cost, by ascending cost.
-using Contender = std::vector<Rung>;
 
 /// An entrant with the logarithm of its value.
 struct Placed {
     Entrant entrant;
     stats::Measured logarithm;
 };
-
-/// The error of a cell that takes part; null for a closed form, without a variance, and where it may be luck.
-const ClassError* error_of(const Analysis& findings, std::size_t index, PairClass pair_class) {
-    const CellAnalysis& found = findings.cells[index];
-    const Cell& cell = findings.plan.cells[found.cell];
-    const bool takes_part = !estimator_info(findings.plan.spec.methods[cell.method]).exact &&
-                            !may_be_luck(findings.plan, cell) && !found.has_infinite_variance(pair_class);
-    return takes_part ? found.class_error(pair_class) : nullptr;
-}
-
-/// Sets what a trial costs. @return whether that is known
-bool set_cost(const StudyPlan& plan, const Costs& costs, Equal equal, Rung& rung) {
-    if (equal == Equal::processor_time) {
-        if (!costs[rung.cell]) return false;
-        rung.cost = costs[rung.cell]->mean();
-        rung.cost_error = costs[rung.cell]->relative_error();
-    } else {
-        rung.cost = static_cast<double>(evaluations_per_trial(plan, plan.cells[rung.cell]));
-    }
-    return rung.cost > 0;
-}
-
-std::optional<Rung> rung_of(const Analysis& findings, std::size_t index, PairClass pair_class) {
-    const CellAnalysis& found = findings.cells[index];
-    const Cell& cell = findings.plan.cells[found.cell];
-    const ClassError* error = error_of(findings, index, pair_class);
-    // No ratio to a value that is exact up to rounding is formed.
-    if (error == nullptr || error->rmse < rounding_error) return std::nullopt;
-    Rung rung;
-    rung.cell = found.cell;
-    rung.mean_square = std::pow(error->rmse, 2);
-    rung.log_mean_square.value = std::log(rung.mean_square);
-    if (cell.deterministic) return rung;
-    if (!error->mean_square) return std::nullopt;
-    rung.log_mean_square = stats::logarithm_of(*error->mean_square);
-    rung.repeatable = found.bias_finding != BiasFinding::biased;
-    return rung;
-}
-
-/// All sizes of each method, or of each number of patches where those have several sizes.
-std::vector<Contender> contenders(const Analysis& findings, const Costs& costs, std::size_t scene, PairClass pair_class,
-                                  Equal equal) {
-    const StudyPlan& plan = findings.plan;
-    std::map<std::pair<std::size_t, std::uint32_t>, std::vector<Rung>> of_patches;
-    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
-        const Cell& cell = plan.cells[i];
-        if (cell.scene != scene) continue;
-        auto rung = rung_of(findings, i, pair_class);
-        if (rung && set_cost(plan, costs, equal, *rung)) of_patches[{cell.method, cell.subdivision.m}].push_back(*rung);
-    }
-    std::set<std::size_t> grow_by_samples;
-    for (const auto& [of, rungs] : of_patches) {
-        if (rungs.size() > 1) grow_by_samples.insert(of.first);
-    }
-    std::map<std::pair<std::size_t, std::uint32_t>, Contender> ladders;
-    for (const auto& [of, rungs] : of_patches) {
-        Contender& ladder = ladders[{of.first, grow_by_samples.contains(of.first) ? of.second : 0}];
-        ladder.insert(ladder.end(), rungs.begin(), rungs.end());
-    }
-    std::vector<Contender> all;
-    for (auto& [of, ladder] : ladders) {
-        std::ranges::stable_sort(ladder, {},
-                                 [&](const Rung& rung) { return evaluations_per_trial(plan, plan.cells[rung.cell]); });
-        // Measured times vary: a larger size takes no less than a smaller one.
-        for (std::size_t i = 1; i < ladder.size(); ++i) ladder[i].cost = std::max(ladder[i].cost, ladder[i - 1].cost);
-        all.push_back(std::move(ladder));
-    }
-    return all;
-}
-
-/// The cheapest size of each method that is exact to rounding. In a few trials, hits may be as expected by chance.
-std::vector<Rung> exact_sizes(const Analysis& findings, const Costs& costs, std::size_t scene, PairClass pair_class,
-                              Equal equal) {
-    const StudyPlan& plan = findings.plan;
-    std::map<std::size_t, Rung> cheapest;
-    for (std::size_t i = 0; i < plan.cells.size(); ++i) {
-        const ClassError* error = plan.cells[i].scene == scene ? error_of(findings, i, pair_class) : nullptr;
-        const bool few = !plan.cells[i].deterministic && findings.cells[i].trials < 10;
-        if (error == nullptr || error->rmse >= rounding_error || few) continue;
-        Rung rung;
-        rung.cell = findings.cells[i].cell;
-        if (!set_cost(plan, costs, equal, rung)) continue;
-        const auto [known, is_new] = cheapest.try_emplace(plan.cells[i].method, rung);
-        if (!is_new && rung.cost < known->second.cost) known->second = rung;
-    }
-    std::vector<Rung> all;
-    for (const auto& [method, rung] : cheapest) all.push_back(rung);
-    return all;
-}
 
 /// Adds the uncertainty of a number, times its weight, to a sum.
 void add_parts(const stats::Measured& number, double weight, stats::Measured& sum) {
@@ -135,6 +30,15 @@ void add_parts(const stats::Measured& number, double weight, stats::Measured& su
     }
 }
 
+/// The logarithm of the mean square error of a rung that may be repeated. The mean of k trials keeps the bias of one,
+/// which may be k times as much of its mean square.
+stats::Measured log_mean_square(const Rung& rung, double repeats) {
+    stats::Measured number = rung.log_mean_square;
+    if (repeats > 1 && rung.bias > 0 && !number.is_exact())
+        number.parts.front().mean.unseen += (repeats - 1) * rung.bias * rung.bias;
+    return number;
+}
+
 std::optional<Placed> at_budget(const Contender& contender, double budget) {
     const Rung* largest = nullptr;
     for (const Rung& rung : contender) {
@@ -142,7 +46,7 @@ std::optional<Placed> at_budget(const Contender& contender, double budget) {
     }
     if (largest == nullptr) return std::nullopt;
     const double repeats = largest->repeatable ? std::max(1.0, budget / largest->cost) : 1;
-    Placed placed{{largest->cell, repeats, largest->mean_square / repeats, 0}, largest->log_mean_square};
+    Placed placed{{largest->cell, repeats, largest->mean_square / repeats, 0}, log_mean_square(*largest, repeats)};
     placed.logarithm.value -= std::log(repeats);
     if (largest->repeatable && largest->cost_error > 0 && !placed.logarithm.is_exact()) {
         const std::size_t trials = placed.logarithm.parts.front().mean.n;
@@ -157,7 +61,7 @@ std::optional<Placed> to_error(const Contender& contender, double target) {
     if (last.mean_square > target) {
         if (!last.repeatable) return std::nullopt;
         const double repeats = last.mean_square / target;
-        Placed placed{{last.cell, repeats, last.cost * repeats, 0}, last.log_mean_square};
+        Placed placed{{last.cell, repeats, last.cost * repeats, 0}, log_mean_square(last, repeats)};
         placed.logarithm.value = std::log(placed.entrant.value);
         return placed;
     }
