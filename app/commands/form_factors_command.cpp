@@ -40,7 +40,6 @@
 namespace ff::app {
 namespace {
 
-constexpr const char* matrix_store_file = "form_factors.sqlite";
 const std::vector<std::string> matrix_files{
     matrix_store_file,  "matrix.csv",         "form_factors.mtx", "form_factors.npy",
     "form_factors.npz", "half_widths.mtx",    "half_widths.npy",  "half_widths.npz",

@@ -8,16 +8,21 @@
 
 #include "core/support/error.hpp"
 #include "core/support/words.hpp"
-#include "reports/csv/scene_csv.hpp"
+#include "reports/csv/heat_csv.hpp"
 #include "reports/html/scene_html.hpp"
-#include "reports/terminal/scene_terminal.hpp"
+#include "reports/json/context_json.hpp"
+#include "reports/json/heat_json.hpp"
+#include "reports/terminal/heat_terminal.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/words/scene_reports.hpp"
+#include "studies/form_factors/store/stored_request.hpp"
 #include "studies/heat/flow_sampling.hpp"
+#include "studies/readers/text_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -74,6 +79,20 @@ studies::heat::FlowTolerance flow_tolerance_of(const HeatCommand& command, const
     return tolerance;
 }
 
+/// Gebhart factors depend on reflectances alone.
+void expect_one_set_of_reflectances(const std::vector<studies::heat::Materials>& cases,
+                                    const std::filesystem::path& file) {
+    const auto reflects_alike = [](const auto& a, const auto& b) { return a.reflected() == b.reflected(); };
+    for (const auto& one : cases) {
+        if (!std::ranges::equal(one.faces, cases.front().faces, reflects_alike))
+            throw UserError(
+                "--gebhart: the cases '{}' and '{}' of {} have different emissivities (gebhart.csv is of one set). "
+                "Keep "
+                "one of them.",
+                cases.front().name, one.name, file.string());
+    }
+}
+
 double factor_tolerance_of(const HeatCommand& command) {
     constexpr double by_default = 1e-4;
     if (!command.tolerance) return by_default;
@@ -84,6 +103,49 @@ double factor_tolerance_of(const HeatCommand& command) {
         *command.tolerance);
 }
 
+/// The form factors that an earlier run with this scene and these options left in the folder, if it did.
+/// @throws UserError where it has those of another scene or of other options
+bool take_from_folder(studies::form_factors::KeptMatrix& kept, const std::filesystem::path& folder) {
+    if (!std::filesystem::exists(folder / matrix_store_file)) return false;
+    FormFactorsCommand command;
+    command.load = folder;
+    studies::form_factors::KeptMatrix there = load_kept_form_factors(command);
+    const std::string difference =
+        studies::form_factors::difference_between(there.source, there.request, kept.source, kept.request);
+    if (!difference.empty())
+        throw UserError(
+            "--out {}: has the form factors of another run ({}). Choose another folder, or the same scene and options.",
+            folder.string(), difference);
+    if (there.matrix.interrupted) return false;
+    kept = std::move(there);
+    return true;
+}
+
+const std::vector<std::string> heat_files{"heat.csv",     "groups.csv",  "gebhart.csv",    "heat.json",
+                                          "context.json", "report.html", matrix_store_file};
+
+void write_heat_files(OutputFolder& folder, const HeatCommand& command, const studies::form_factors::KeptMatrix& kept,
+                      const reports::HeatReport& report, const reports::HeatRequest& request,
+                      const std::vector<std::string>& warnings) {
+    // Factors that were sampled for the flows of one case are not those of the request.
+    folder.remove(matrix_store_file);
+    if (report.sampled == nullptr)
+        folder.replace(matrix_store_file, [&](const auto& file) { studies::form_factors::save_matrix(file, kept); });
+    folder.write("heat.csv", [&](std::ostream& file) { reports::write_heat_csv(file, report); });
+    folder.write("groups.csv", [&](std::ostream& file) { reports::write_groups_csv(file, report); });
+    folder.remove("gebhart.csv");
+    if (command.gebhart) {
+        const auto gebhart =
+            studies::heat::find_gebhart_factors(kept.scene, kept.matrix, report.cases.front().materials);
+        folder.write("gebhart.csv", [&](std::ostream& file) { reports::write_gebhart_csv(file, kept.scene, gebhart); });
+    }
+    folder.write("heat.json", reports::heat_json(report, request, warnings));
+    folder.write("context.json", reports::context_json(kept.context));
+    const reports::FormFactorReport factors{kept.scene, kept.request, kept.matrix};
+    folder.write("report.html", reports::scene_html(factors, warnings, &report, reports::program_label(kept.context),
+                                                    find_templates({})));
+}
+
 ExitCode find_flows(const HeatCommand& command) {
     if (!(command.scale >= 1e-9 && command.scale <= 1e9))
         throw UserError("--scale {} (1e-9 to 1e9 metres). Write 0.001 for millimetres.", command.scale);
@@ -92,47 +154,57 @@ ExitCode find_flows(const HeatCommand& command) {
     auto kept = is_loaded ? load_of_all_at_once(command.factors) : prepare_form_factors(command.factors);
     studies::expect_no_masks(kept.scene);
     const auto said = studies::make_scene_with_materials(kept.source).materials;
-    const auto materials = studies::heat::load_materials(command.materials, {kept.scene.faces, said});
+    const auto file = studies::read_text_file(command.materials, studies::FileKind::materials);
+    auto cases = studies::heat::read_cases(file, command.materials.string(), {kept.scene.faces, said});
     const bool samples_flows = !is_loaded && command.tolerance_of == "flux";
-    const studies::heat::FlowTolerance tolerance = flow_tolerance_of(command, materials);
+    if (samples_flows && cases.size() > 1)
+        throw UserError(
+            "--tolerance-of flux: {} has {} cases (samples are chosen for one). Leave it out, or keep one case.",
+            command.materials.string(), cases.size());
+    if (command.gebhart) expect_one_set_of_reflectances(cases, command.materials);
+    const studies::heat::FlowTolerance tolerance = flow_tolerance_of(command, cases.front());
     if (!samples_flows && !is_loaded) kept.request.tolerance = factor_tolerance_of(command);
     std::optional<OutputFolder> out;
-    if (!command.factors.out.empty())
-        out.emplace(command.factors.out, "heat", std::vector<std::string>{"heat.csv", "gebhart.csv", "report.html"});
-    for (const std::string& warning : materials.warnings) say("warning: {}\n", warning);
+    if (!command.factors.out.empty()) out.emplace(command.factors.out, "heat", heat_files);
+    std::vector<std::string> warnings;
+    for (const auto& one : cases) {
+        for (const std::string& warning : one.warnings) {
+            if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
+        }
+    }
+    for (const std::string& warning : warnings) say("warning: {}\n", warning);
     std::optional<studies::heat::SampledFlows> sampled;
     const auto find = [&](const Scene& scene, const studies::form_factors::Request& request) {
         if (!samples_flows) return studies::form_factors::find_matrix(scene, request);
-        sampled = studies::heat::sample_flows(scene, request, materials, command.scale, tolerance);
+        sampled = studies::heat::sample_flows(scene, request, cases.front(), command.scale, tolerance);
         return std::move(sampled->matrix);
     };
-    const bool by_signal = !is_loaded && compute_form_factors(command.factors, kept, find);
+    const bool is_there = out && !is_loaded && !samples_flows && take_from_folder(kept, command.factors.out);
+    if (is_there && !command.factors.quiet)
+        say("note: the form factors are those of an earlier run in {}.\n", command.factors.out.string());
+    const bool by_signal = !is_loaded && !is_there && compute_form_factors(command.factors, kept, find);
     if (sampled) kept.request.tolerance = sampled->factor_tolerance;
-    const reports::FormFactorReport factors{kept.scene, kept.request, kept.matrix};
-    auto warnings = reports::form_factor_warnings(factors);
-    for (const std::string& warning : warnings) say("warning: {}\n", warning);
-    warnings.insert(warnings.begin(), materials.warnings.begin(), materials.warnings.end());
-    const auto flows = sampled ? std::move(sampled->flows)
-                               : studies::heat::find_flows(kept.scene, kept.matrix, materials, command.scale);
-    const reports::HeatReport report{kept.scene, kept.request, materials, flows, sampled ? &*sampled : nullptr};
+    for (const std::string& warning : reports::form_factor_warnings({kept.scene, kept.request, kept.matrix})) {
+        say("warning: {}\n", warning);
+        warnings.push_back(warning);
+    }
+    std::vector<studies::heat::SolvedCase> solved;
+    for (auto& one : cases) {
+        auto flows = sampled ? std::move(sampled->flows)
+                             : studies::heat::find_flows(kept.scene, kept.matrix, one, command.scale);
+        solved.push_back({std::move(one), std::move(flows)});
+    }
+    const reports::HeatReport report{kept.scene, kept.request, solved, sampled ? &*sampled : nullptr};
     if (const auto widened = reports::widened_rows(report)) {
         say("note: {}\n", *widened);
         warnings.push_back(*widened);
     }
     if (!command.factors.quiet) print_folded(reports::heat_text(report, style_of_stdout()));
-    if (out) {
-        out->write("heat.csv", [&](std::ostream& file) { reports::write_heat_csv(file, report); });
-        if (command.gebhart) {
-            const auto gebhart = studies::heat::find_gebhart_factors(kept.scene, kept.matrix, materials);
-            out->write("gebhart.csv",
-                       [&](std::ostream& file) { reports::write_gebhart_csv(file, kept.scene, gebhart); });
-        }
-        out->write("report.html", reports::scene_html(factors, warnings, &report, reports::program_label(kept.context),
-                                                      find_templates({})));
-    }
+    if (out) write_heat_files(*out, command, kept, report, {file, command.scale, tolerance}, warnings);
     if (by_signal) return ExitCode::interrupted;
     const bool trusted = studies::form_factors::is_trusted(kept.scene, kept.matrix, kept.request.tolerance);
-    return trusted && flows.within(tolerance) ? ExitCode::passed : ExitCode::inconclusive;
+    const bool within = std::ranges::all_of(solved, [&](const auto& one) { return one.flows.within(tolerance); });
+    return trusted && within ? ExitCode::passed : ExitCode::inconclusive;
 }
 
 ExitCode heat(const HeatCommand& command) {
@@ -173,7 +245,9 @@ void add_heat(ProgramDefinition& program) {
     sub.option("--max-time", factors.max_time, "Time limit: 90 (seconds), 15m, 2.5h, 1d; stops gracefully",
                {.type = "TIME"});
     sub.option("--max-samples", factors.request.max_samples, "Rays and points in all", {.shows_default = true});
-    sub.option("--out", factors.out, "Folder for heat.csv (default: none is written)", {.type = "DIR"});
+    sub.option("--out", factors.out,
+               "Folder for results and form factors, which the next run takes from there (default: none)",
+               {.type = "DIR"});
     sub.option("--gebhart", command.gebhart, "Also Gebhart factors and script-F, in gebhart.csv", {.needs = {"--out"}});
     settle_by_load(sub, {"--materials", "--scale", "--flow-tolerance", "--out", "--gebhart"});
     add_verbosity(sub, factors.quiet, "Print errors and warnings only");

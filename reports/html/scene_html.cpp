@@ -5,6 +5,7 @@
 #include "core/visibility/mirrors.hpp"
 #include "reports/html/html_view.hpp"
 #include "reports/pictures/picture_values.hpp"
+#include "reports/tables/heat_tables.hpp"
 #include "reports/templates/mustache.hpp"
 #include "reports/terminal/scene_terminal.hpp"
 #include "reports/text/json_values.hpp"
@@ -15,7 +16,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ff::reports {
@@ -80,21 +83,31 @@ Json quantity_json(std::string_view name, std::string_view unit, std::size_t fac
     return {{"name", name}, {"unit", unit}, {"values", values}, {"errors", errors}};
 }
 
+/// The page shows single faces of the first few cases.
+std::span<const studies::heat::SolvedCase> drawn_cases(const HeatReport& heat) {
+    constexpr std::size_t most_cases = 8;
+    return std::span(heat.cases).first(std::min(most_cases, heat.cases.size()));
+}
+
 Json quantities_json(const FormFactorReport& report, const HeatReport* heat) {
     const std::size_t faces = report.scene.faces.size();
     Json quantities = Json::array();
     if (heat != nullptr) {
-        const bool light = heat->materials.are_light();
-        const auto add = [&](std::string_view name, std::string_view unit,
-                             studies::heat::Bounds studies::heat::FaceFlow::*member) {
-            quantities.push_back(quantity_json(name, light ? "" : unit, faces,
-                                               [&](std::size_t face) { return heat->flows.faces[face].*member; }));
-        };
-        add("net flux", "W/m²", &studies::heat::FaceFlow::net);
-        add(light ? "exitance" : "radiosity", "W/m²", &studies::heat::FaceFlow::radiosity);
-        add(light ? "incident light" : "irradiation", "W/m²", &studies::heat::FaceFlow::irradiation);
-        add("power", "W", &studies::heat::FaceFlow::power);
-        if (!light) add("temperature", "K", &studies::heat::FaceFlow::temperature);
+        const bool light = heat->is_light();
+        for (const studies::heat::SolvedCase& solved : drawn_cases(*heat)) {
+            const std::string& name_of_case = solved.materials.name;
+            const auto add = [&](std::string_view name, std::string_view unit,
+                                 studies::heat::Bounds studies::heat::FaceFlow::*member) {
+                quantities.push_back(quantity_json(
+                    name_of_case.empty() ? std::string(name) : fmt::format("{}: {}", name_of_case, name),
+                    light ? "" : unit, faces, [&](std::size_t face) { return solved.flows.faces[face].*member; }));
+            };
+            add("net flux", "W/m²", &studies::heat::FaceFlow::net);
+            add(light ? "exitance" : "radiosity", "W/m²", &studies::heat::FaceFlow::radiosity);
+            add(light ? "incident light" : "irradiation", "W/m²", &studies::heat::FaceFlow::irradiation);
+            add("power", "W", &studies::heat::FaceFlow::power);
+            if (!light) add("temperature", "K", &studies::heat::FaceFlow::temperature);
+        }
     }
     quantities.push_back(quantity_json("sum of the row", "", faces, [&](std::size_t face) {
         return studies::heat::Bounds{report.matrix.rows[face].low, report.matrix.rows[face].high};
@@ -163,11 +176,30 @@ Table faces_table(const FormFactorReport& report) {
     return table;
 }
 
-Table flows_table(const HeatReport& heat) {
-    Table table = heat_table(heat, most_listed_faces);
-    table.title = "Flows";
-    table.note = "± is half of an interval; all hold at once.";
-    return table;
+/// Groups of all cases, then the faces of some.
+std::vector<Table> flows_tables(const HeatReport& heat) {
+    std::vector<Table> tables;
+    if (auto groups = groups_table(heat)) tables.push_back(std::move(*groups));
+    const auto cases = drawn_cases(heat);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        Table& table = tables.emplace_back(flows_table(heat, cases[i], most_listed_faces / cases.size()));
+        if (!heat.has_cases()) continue;
+        table.id += fmt::format("-{}", i + 1);
+        table.title += ": " + cases[i].materials.name;
+        table.remarks.push_back(heat_balance(heat, cases[i]));
+    }
+    for (Table& table : tables) table.note = "± is half of an interval; all hold at once.";
+    if (cases.size() < heat.cases.size())
+        tables.back().remarks.push_back(
+            fmt::format("Faces of the first {} cases, of {}; all are in heat.csv.", cases.size(), heat.cases.size()));
+    return tables;
+}
+
+Json listing(const FormFactorReport& report, const HeatReport* heat) {
+    Json views = Json::array();
+    for (const Table& table : heat == nullptr ? std::vector{faces_table(report)} : flows_tables(*heat))
+        views.push_back(table_view(table));
+    return views;
 }
 
 }  // namespace
@@ -179,6 +211,11 @@ std::string scene_html(const FormFactorReport& report, const std::vector<std::st
     const std::array<std::string_view, 1> styles{style};
     const std::array<std::string_view, 1> scripts{script};
     const auto& [scene, request, matrix] = report;
+    const std::string verdict = heat == nullptr ? form_factors_verdict(report) : heat_verdict(*heat);
+    const std::string answer = heat == nullptr ? std::string() : heat_answer(*heat);
+    std::vector<std::string> certainty;
+    if (!answer.empty()) certainty.push_back(verdict);
+    if (heat != nullptr && !heat->has_cases()) certainty.push_back(heat_balance(*heat, heat->cases.front()));
     const std::string effort = heat == nullptr ? std::string() : heat_effort(*heat);
     const std::string tolerance = heat != nullptr && heat->sampled != nullptr
                                       ? in_words(heat->sampled->tolerance) + " of powers"
@@ -189,14 +226,14 @@ std::string scene_html(const FormFactorReport& report, const std::vector<std::st
         {"style", style},
         {"script", script},
         {"warnings", texts_view(warnings)},
-        {"verdict", heat == nullptr ? form_factors_verdict(report) : heat_verdict(*heat)},
-        {"balance", heat == nullptr ? std::string() : heat_balance(*heat)},
+        {"verdict", answer.empty() ? verdict : answer + "."},
+        {"certainty", texts_view(certainty)},
         {"asked",
          fmt::format("{}, {}; tolerance {}, level {} {}, seed {}.{}{}", counted(scene.faces.size(), "face"),
                      counted(scene.surfaces.size(), "surface"), tolerance, brief(request.level, 10),
                      request.level_of == studies::form_factors::LevelOf::entry ? "of each entry" : "of all at once",
                      request.seed.value, effort.empty() ? "" : " ", effort)},
-        {"listing", table_view(heat == nullptr ? faces_table(report) : flows_table(*heat))},
+        {"listing", listing(report, heat)},
         {"program", program},
         {"data", scene_data(report, heat)}};
     return fill_template(templates, "scene_report", view, escape_html);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "reports/templates/templates.hpp"
+#include "reports/words/heat_words.hpp"
 #include "reports/words/scene_reports.hpp"
 
 #include <string>

@@ -291,7 +291,7 @@
   for (const {name, unit} of quantities) $("quantity").append(element("option", unit ? `${name}, ${unit}` : name));
   $("quantity").addEventListener("change", () => { shown = quantities[$("quantity").selectedIndex]; drawScene(); });
   const numbers = new Map(faces.map((name, face) => [name, face]));
-  for (const row of document.querySelectorAll("tbody tr")) {
+  for (const row of document.querySelectorAll("caption:not(#groups) ~ tbody tr")) {
     row.dataset.face = numbers.get(row.querySelector("th").textContent);
     row.addEventListener("click", () => choose(Number(row.dataset.face)));
   }

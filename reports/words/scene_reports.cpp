@@ -71,16 +71,4 @@ std::vector<std::string> form_factor_warnings(const FormFactorReport& report) {
     return warnings;
 }
 
-std::optional<std::string> widened_rows(const HeatReport& report) {
-    const auto& widened = report.flows.widened;
-    if (widened.empty()) return std::nullopt;
-    const std::string& first = report.scene.faces[widened.front()];
-    const std::string faces = widened.size() == 1 ? fmt::format("face '{}'", first)
-                                                  : fmt::format("{} faces (the first is '{}')", widened.size(), first);
-    return fmt::format(
-        "the form factors of {} cannot add up to 1 within their intervals, which hold all at once with a probability "
-        "of {:g}; their sampled ones have wider intervals here, which hold with a probability of 0.999999",
-        faces, report.request.level);
-}
-
 }  // namespace ff::reports

@@ -153,6 +153,42 @@ FaceFlow flow_of(const Material& material, double area, Bounds irradiation, cons
     return flow;
 }
 
+void operator+=(Bounds& sum, const Bounds& more) {
+    sum.low += more.low;
+    sum.high += more.high;
+}
+
+Bounds positive_part(const Bounds& bounds) {
+    return {std::max(0.0, bounds.low), std::max(0.0, bounds.high)};
+}
+
+/// What faces with positive powers, and surroundings that they take power from, give off.
+Bounds given_off(const Flows& flows) {
+    Bounds sum;
+    if (flows.reaches_outside) sum = positive_part({-flows.balance.high, -flows.balance.low});
+    for (const FaceFlow& face : flows.faces) sum += positive_part(face.power);
+    return sum;
+}
+
+GroupFlow flow_of_group(const FaceGroup& group, const std::vector<FaceFlow>& faces, const Bounds& sources) {
+    GroupFlow flow{group.name, group.faces.size(), 0, {}, {}};
+    Bounds own;  // of its sources
+    for (const std::size_t face : group.faces) {
+        flow.area += faces[face].area;
+        flow.power += faces[face].power;
+        own += positive_part(faces[face].power);
+    }
+    // The share grows with what its own sources give off, and with that of others it gets nearer to 0.
+    const Bounds others{sources.low - own.low, sources.high - own.high};
+    const auto share = [](double power, double gives, double nearer, double farther) {
+        return power / (gives + (power > 0 ? nearer : farther));
+    };
+    if (sources.low > 0)
+        flow.share = Bounds{share(flow.power.low, own.low, others.high, others.low),
+                            share(flow.power.high, own.high, others.low, others.high)};
+    return flow;
+}
+
 }  // namespace
 
 FlowTolerance read_flow_tolerance(std::string_view place, std::string_view text) {
@@ -223,6 +259,8 @@ Flows find_flows(const Scene& scene, const form_factors::Matrix& matrix, const M
     }
     found.balance = sum;
     found.reaches_outside = sees_out(factors);
+    const Bounds sources = given_off(found);
+    for (const FaceGroup& group : materials.groups) found.groups.push_back(flow_of_group(group, found.faces, sources));
     if (sum.middle() < 0) found.throughput += -sum.middle();  // what the surroundings give off
     return found;
 }

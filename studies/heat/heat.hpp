@@ -51,8 +51,22 @@ struct FaceFlow {
     Bounds temperature;  ///< K; 0 for light
 };
 
+/// The radiation of several faces together. Their extremes are met at once, so that sums of their limits are as narrow
+/// as any that hold for all form factors within their intervals.
+struct GroupFlow {
+    std::string name;
+    std::size_t faces = 0;
+    double area = 0;              ///< m²
+    Bounds power;                 ///< W
+    std::optional<Bounds> share;  ///< of all that the sources give off; empty where that may be 0
+
+    /// W/m², the mean over the area.
+    [[nodiscard]] Bounds net() const { return {power.low / area, power.high / area}; }
+};
+
 struct Flows {
     std::vector<FaceFlow> faces;
+    std::vector<GroupFlow> groups;     ///< as in the materials
     Bounds balance;                    ///< W: all powers together
     bool reaches_outside = false;      ///< what the balance leaves is for the surroundings; otherwise it is 0
     double throughput = 0;             ///< W: all that the faces give off, at the middles
@@ -76,6 +90,12 @@ class ImpossibleRow : public UserError {
 /// It depends on factors whose intervals begin at 0 whether a face reaches one with a temperature.
 class UnresolvedFlows : public UserError {
     using UserError::UserError;
+};
+
+/// One case of a materials file.
+struct SolvedCase {
+    Materials materials;
+    Flows flows;
 };
 
 /// How radiosities follow from irradiations, in W/m².

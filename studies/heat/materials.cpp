@@ -1,14 +1,16 @@
 #include "studies/heat/materials.hpp"
 
+#include "core/support/contract.hpp"
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
-#include "studies/readers/text_file.hpp"
 #include "studies/readers/toml_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
+#include <utility>
 
 namespace ff::studies::heat {
 namespace {
@@ -48,11 +50,19 @@ void expect(bool fine, const TomlReader& reader, std::string_view key, std::stri
 }
 
 /// @param may_be_said  emissivities may be given in the scene file
-Material read_material(const TomlReader& reader, bool may_be_said) {
+/// @param material  what holds where the table says nothing else
+Material read_material(const TomlReader& reader, bool may_be_said, Material material = {}) {
     reader.expect_only({"emissivity", "temperature", "flux", "reflectance", "emission"});
-    Material material{reader.optional_number("emissivity"), reader.optional_number("temperature"),
-                      reader.optional_number("flux"), reader.optional_number("reflectance"),
-                      reader.optional_number("emission")};
+    // A face has one of the two: one that is given replaces the other.
+    if (reader.has("temperature") || reader.has("flux")) material.temperature = material.flux = std::nullopt;
+    const auto set = [&](std::optional<double>& value, std::string_view key) {
+        if (const auto given = reader.optional_number(key)) value = given;
+    };
+    set(material.emissivity, "emissivity");
+    set(material.temperature, "temperature");
+    set(material.flux, "flux");
+    set(material.reflectance, "reflectance");
+    set(material.emission, "emission");
     if (material.is_light()) {
         expect(!material.emissivity && !material.temperature && !material.flux, reader, "reflectance",
                "(light has reflectance and emission, heat emissivity with temperature or flux). Leave one kind out.");
@@ -83,16 +93,48 @@ void warn_of_cold(std::optional<double> kelvin, std::string_view what, std::vect
                                    what, *kelvin, *kelvin, *kelvin + 273.15));
 }
 
-std::vector<Entry> read_entries(const TomlReader& file, bool may_be_said) {
-    const auto table = file.optional_table("materials");
-    if (!table)
-        file.fail("materials", "(missing). Write [materials] and below it: wall = { emissivity = 0.8, flux = 0 }.");
-    std::vector<Entry> entries;
+/// Reads `[materials]` of a file or a case.
+/// @param entries  those of the file, which a case changes or adds to
+std::vector<Entry> read_entries(const TomlReader& reader, bool may_be_said, std::vector<Entry> entries = {}) {
+    const auto table = reader.optional_table("materials");
+    if (!table) return entries;
     for (const std::string& name : table->keys()) {
-        const auto material = table->optional_table(name);
-        entries.push_back({name, read_material(*material, may_be_said)});
+        const auto changes = table->optional_table(name);
+        const auto known = std::ranges::find(entries, name, &Entry::name);
+        if (known == entries.end())
+            entries.push_back({name, read_material(*changes, may_be_said)});
+        else
+            known->material = read_material(*changes, may_be_said, known->material);
     }
     return entries;
+}
+
+std::optional<double> read_surroundings(const TomlReader& reader, std::optional<double> otherwise = {}) {
+    const auto surroundings = reader.optional_number("surroundings");
+    if (surroundings && *surroundings < 0) reader.fail("surroundings", "(below 0). Write kelvin, like 293.15.");
+    if (!is_held(surroundings)) reader.fail("surroundings", "(0, or from 1e-60 to 1e60). Correct it.");
+    return surroundings ? surroundings : otherwise;
+}
+
+/// Reads `[groups]`: a pattern, or a list of patterns, for each name.
+std::vector<FaceGroup> read_groups(const TomlReader& table, const std::vector<std::string>& faces) {
+    const std::vector<std::string_view> known(faces.begin(), faces.end());
+    std::vector<FaceGroup> groups;
+    for (const std::string& name : table.keys()) {
+        FaceGroup& group = groups.emplace_back(FaceGroup{name, {}});
+        const std::vector<std::string> patterns = table.texts(name);
+        for (const std::string& pattern : patterns) {
+            if (std::ranges::none_of(faces, [&](const std::string& face) { return matches(pattern, face); }))
+                table.fail(name,
+                           fmt::format("(the scene has no face '{}'). {}See 'ffstudy explain SCENE' for its faces.",
+                                       pattern, did_you_mean(pattern, known)));
+        }
+        for (std::size_t face = 0; face < faces.size(); ++face) {
+            if (std::ranges::any_of(patterns, [&](const auto& pattern) { return matches(pattern, faces[face]); }))
+                group.faces.push_back(face);
+        }
+    }
+    return groups;
 }
 
 /// The only one of the entries that is wanted; null where there is none.
@@ -177,18 +219,12 @@ std::optional<double> said_emissivity(const std::vector<FaceMaterial>& said, std
     return said[face].emissivities.front();
 }
 
-Materials read_materials(std::string_view toml, std::string_view origin, const NamedFaces& faces) {
-    const auto table = parse_toml(toml, origin);
-    const TomlReader file(table, origin);
-    file.expect_only({"surroundings", "materials"});
-    Materials materials;
-    materials.surroundings = file.optional_number("surroundings");
-    if (materials.surroundings && *materials.surroundings < 0)
-        file.fail("surroundings", "(below 0). Write kelvin, like 293.15.");
-    if (!is_held(materials.surroundings)) file.fail("surroundings", "(0, or from 1e-60 to 1e60). Correct it.");
-    const bool may_be_said = std::any_of(faces.said.begin(), faces.said.end(),
-                                         [](const FaceMaterial& said) { return !said.emissivities.empty(); });
-    const auto entries = read_entries(file, may_be_said);
+namespace {
+
+/// Gives each face its entry.
+/// @param materials  without faces and groups
+Materials settle(Materials materials, const std::vector<Entry>& entries, std::string_view origin,
+                 const NamedFaces& faces) {
     expect_used(entries, faces, origin);
     for (std::size_t i = 0; i < faces.names.size(); ++i) {
         const std::string& face = faces.names[i];
@@ -202,6 +238,9 @@ Materials read_materials(std::string_view toml, std::string_view origin, const N
                 "faces the same.",
                 origin, materials.are_light() ? faces.names.front() : face,
                 materials.are_light() ? face : faces.names.front());
+        auto group = std::ranges::find(materials.groups, entry->name, &FaceGroup::name);
+        if (group == materials.groups.end()) group = materials.groups.insert(group, FaceGroup{entry->name, {}});
+        group->faces.push_back(i);
     }
     if (!materials.are_light()) {
         for (const Entry& entry : entries) warn_of_cold(entry.material.temperature, entry.name, materials.warnings);
@@ -210,8 +249,44 @@ Materials read_materials(std::string_view toml, std::string_view origin, const N
     return materials;
 }
 
-Materials load_materials(const std::filesystem::path& file, const NamedFaces& faces) {
-    return read_materials(read_text_file(file, FileKind::materials), file.string(), faces);
+}  // namespace
+
+std::vector<Materials> read_cases(std::string_view toml, std::string_view origin, const NamedFaces& faces) {
+    const auto table = parse_toml(toml, origin, "docs/heat.md");
+    const TomlReader file(table, origin);
+    file.expect_only({"surroundings", "materials", "groups", "case"});
+    if (!file.has("materials"))
+        file.fail("materials", "(missing). Write [materials] and below it: wall = { emissivity = 0.8, flux = 0 }.");
+    const bool may_be_said = std::any_of(faces.said.begin(), faces.said.end(),
+                                         [](const FaceMaterial& said) { return !said.emissivities.empty(); });
+    const std::vector<Entry> entries = read_entries(file, may_be_said);
+    const std::optional<double> surroundings = read_surroundings(file);
+    std::vector<Materials> cases;
+    const auto add = [&](std::string name, std::optional<double> around, const std::vector<Entry>& materials) {
+        Materials& made = cases.emplace_back();
+        made.name = std::move(name);
+        made.surroundings = around;
+        made = settle(std::move(made), materials, origin, faces);
+        if (const auto groups = file.optional_table("groups")) {
+            made.groups = read_groups(*groups, faces.names);
+            made.has_named_groups = true;
+        }
+    };
+    for (const TomlReader& one : file.tables("case")) {
+        one.expect_only({"name", "surroundings", "materials"});
+        const std::string name = one.text("name");
+        if (name.empty() || std::ranges::find(cases, name, &Materials::name) != cases.end())
+            one.fail("name", name.empty() ? "(empty). Name the case." : "(two cases have this name). Rename one.");
+        add(name, read_surroundings(one, surroundings), read_entries(one, may_be_said, entries));
+    }
+    if (cases.empty()) add("", surroundings, entries);
+    return cases;
+}
+
+Materials read_materials(std::string_view toml, std::string_view origin, const NamedFaces& faces) {
+    std::vector<Materials> cases = read_cases(toml, origin, faces);
+    FF_EXPECT(cases.size() == 1);
+    return std::move(cases.front());
 }
 
 }  // namespace ff::studies::heat

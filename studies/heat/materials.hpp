@@ -2,7 +2,6 @@
 
 #include "studies/scene_files/scene_file.hpp"
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,10 +22,19 @@ struct Material {
     [[nodiscard]] double reflected() const { return is_light() ? *reflectance : 1 - *emissivity; }
 };
 
+/// Faces whose powers are added up.
+struct FaceGroup {
+    std::string name;
+    std::vector<std::size_t> faces;  ///< ascending
+};
+
 /// The materials of a scene.
 struct Materials {
+    std::string name;                    ///< of the case; empty where the file has only one
     std::vector<Material> faces;         ///< in the order of the scene's faces; all heat, or all light
     std::optional<double> surroundings;  ///< K; for light the radiosity of the surroundings
+    std::vector<FaceGroup> groups;       ///< those of `[groups]`; without it, the faces of each entry
+    bool has_named_groups = false;       ///< the file has `[groups]`
     std::vector<std::string> warnings;   ///< temperatures that are probably in other units
 
     [[nodiscard]] bool are_light() const { return !faces.empty() && faces.front().is_light(); }
@@ -43,10 +51,12 @@ std::optional<double> said_emissivity(const std::vector<FaceMaterial>& said, std
 
 /// Reads a materials file (docs/heat.md): `[materials]` has a name or a pattern with * for each entry. A face's own
 /// name takes precedence over its material in the scene file, and that over patterns. Omitted emissivities are taken
-/// from the scene file.
+/// from the scene file. Each `[[case]]` changes some of these entries.
+/// @return the materials of each case, at least one
 /// @throws UserError with the place, and the face with no material, two, or an incomplete one
-Materials read_materials(std::string_view toml, std::string_view origin, const NamedFaces& faces);
+std::vector<Materials> read_cases(std::string_view toml, std::string_view origin, const NamedFaces& faces);
 
-Materials load_materials(const std::filesystem::path& file, const NamedFaces& faces);
+/// The materials of a file with one case.
+Materials read_materials(std::string_view toml, std::string_view origin, const NamedFaces& faces);
 
 }  // namespace ff::studies::heat

@@ -43,6 +43,9 @@ struct FormFactorsCommand {
     bool quiet = false;
 };
 
+/// File of a matrix in a folder of results.
+inline constexpr const char* matrix_store_file = "form_factors.sqlite";
+
 /// Settings that a scene file does not contain itself.
 void add_options_of_scenes(CommandDefinition& sub, FormFactorsCommand& command);
 

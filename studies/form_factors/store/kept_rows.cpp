@@ -23,24 +23,14 @@ std::string checksum_of_row(std::span<const std::uint64_t> words) {
     return in_hexadecimal(Digest().add(words));
 }
 
-void expect_same(const Database& database, const std::filesystem::path& file, const SceneSource& source,
-                 const Request& request) {
-    Database wanted(":memory:", Database::Mode::create_or_open);
-    wanted.execute(kept_rows_schema);
-    write_request(wanted, kept_rows_format, source, request);
-    for (const char* key : {"scene", "scene_text", "tolerance", "relative", "drop", "surroundings", "level", "coverage",
-                            "seed", "max_samples"}) {
-        const auto there = stored_value(database, kept_rows_format, key);
-        const auto here = stored_value(wanted, kept_rows_format, key);
-        if (there == here) continue;
-        throw UserError(
-            "{}: rows of another matrix ({}). Resume with the scene and options that it was begun with, or choose "
-            "another --out.",
-            file.string(),
-            std::string_view(key).starts_with("scene")
-                ? "the scene is another"
-                : fmt::format("its {} is {}, not {}", key, there.value_or("none"), here.value_or("none")));
-    }
+void expect_same(const std::filesystem::path& file, const std::pair<SceneSource, Request>& there,
+                 const SceneSource& source, const Request& request) {
+    const std::string difference = difference_between(there.first, there.second, source, request);
+    if (difference.empty()) return;
+    throw UserError(
+        "{}: rows of another matrix ({}). Resume with the scene and options that it was begun with, or choose "
+        "another --out.",
+        file.string(), difference);
 }
 
 }  // namespace
@@ -57,7 +47,7 @@ KeptRows::KeptRows(const std::filesystem::path& file, const SceneSource& source,
     }
     database_.execute("COMMIT");
     expect_readable(database_, file, kept_rows_format);
-    expect_same(database_, file, source, request);
+    expect_same(file, read_request(StoredKeys(database_, kept_rows_format, file)), source, request);
 }
 
 void KeptRows::keep(const SampledRow& row) const {
@@ -78,8 +68,8 @@ void KeptRows::read(const std::function<void(SampledRow)>& receive) const {
 }
 
 void KeptRows::take(const std::filesystem::path& file) const {
-    const auto [source, request] = matrix_of_kept_rows(file);
-    expect_same(database_, file, source, request);
+    const auto [source, request] = read_request(StoredKeys(database_, kept_rows_format, file_));
+    expect_same(file, matrix_of_kept_rows(file), source, request);
     database_.copy_from(file, [&] { database_.execute("INSERT OR IGNORE INTO rows SELECT * FROM source.rows"); });
 }
 

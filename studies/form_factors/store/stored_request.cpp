@@ -7,6 +7,14 @@
 #include <algorithm>
 
 namespace ff::studies::form_factors {
+namespace {
+
+std::string_view coverage_of(const Request& request) {
+    return request.level_of == LevelOf::entry ? "entry" : "matrix";
+}
+
+}  // namespace
+
 void StoredKeys::expect(bool sound, std::string_view what) const {
     if (!sound) report_damage(file_, fmt::format("{} that no run has written", what));
 }
@@ -45,9 +53,27 @@ void write_request(const Database& database, const StoreFormat& format, const Sc
     if (request.drop > 0) write("drop", request.drop);
     if (!request.surroundings.empty()) write("surroundings", request.surroundings);
     write("level", request.level);
-    write("coverage", request.level_of == LevelOf::entry ? "entry" : "matrix");
+    write("coverage", coverage_of(request));
     write("seed", request.seed.value);
     write("max_samples", request.max_samples);
+}
+
+std::string difference_between(const SceneSource& source, const Request& request, const SceneSource& wanted_source,
+                               const Request& wanted) {
+    if (source.written() != wanted_source.written()) return "the scene is another";
+    const auto differs = [](std::string_view key, const auto& there, const auto& here) {
+        return there == here ? std::string() : fmt::format("its {} is {}, not {}", key, there, here);
+    };
+    for (const std::string& difference :
+         {differs("tolerance", request.tolerance, wanted.tolerance),
+          differs("relative", request.relative, wanted.relative), differs("drop", request.drop, wanted.drop),
+          differs("surroundings", request.surroundings, wanted.surroundings),
+          differs("level", request.level, wanted.level), differs("coverage", coverage_of(request), coverage_of(wanted)),
+          differs("seed", request.seed.value, wanted.seed.value),
+          differs("max_samples", request.max_samples, wanted.max_samples)}) {
+        if (!difference.empty()) return difference;
+    }
+    return {};
 }
 
 std::pair<SceneSource, Request> read_request(const StoredKeys& keys) {

@@ -59,6 +59,11 @@ class StoredKeys {
 void write_request(const Database& database, const StoreFormat& format, const SceneSource& source,
                    const Request& request);
 
+/// What a matrix differs in from one that is wanted, in words such as "its seed is 1, not 2"; empty where it is the
+/// same.
+std::string difference_between(const SceneSource& source, const Request& request, const SceneSource& wanted_source,
+                               const Request& wanted);
+
 /// The source and the request that were written.
 std::pair<SceneSource, Request> read_request(const StoredKeys& keys);
 

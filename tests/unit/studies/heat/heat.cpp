@@ -64,6 +64,35 @@ TEST(HeatFlows, SumToZeroInAClosedScene) {
     EXPECT_LT(flows.worst, 1e-8 * flows.throughput) << "exact factors";
 }
 
+TEST(HeatFlows, OfGroupsAreSumsOfThoseOfFaces) {
+    const auto flows = flows_of(make_scene("cube"), R"(
+[materials]
+"*" = { emissivity = 0.6, temperature = 300 }
+6 = { emissivity = 0.8, temperature = 800 }
+[groups]
+sides = ["1", "2", "3", "4"]
+whole = "*"
+)");
+    ASSERT_EQ(flows.groups.size(), 2u);
+    const GroupFlow& sides = flows.groups[0];
+    EXPECT_EQ(sides.faces, 4u);
+    EXPECT_DOUBLE_EQ(sides.area, 4 * flows.faces[0].area);
+    double low = 0;
+    for (std::size_t face = 0; face < 4; ++face) low += flows.faces[face].power.low;
+    EXPECT_DOUBLE_EQ(sides.power.low, low);
+    EXPECT_DOUBLE_EQ(sides.net().low, low / sides.area);
+    ASSERT_TRUE(sides.share);
+    expect_within(*sides.share, sides.power.middle() / flows.throughput);
+    EXPECT_LT(sides.share->high, -0.7);
+    expect_within(flows.groups[1].power, 0);
+}
+
+TEST(HeatFlows, OfGroupsHaveNoShareOfNothing) {
+    const auto flows = flows_of(make_scene("cube"), "[materials]\n\"*\" = { emissivity = 0.6, temperature = 300 }\n");
+    ASSERT_EQ(flows.groups.size(), 1u);
+    EXPECT_FALSE(flows.groups[0].share);
+}
+
 const char* const spheres_toml = R"(
 closed = true
 [[surface]]

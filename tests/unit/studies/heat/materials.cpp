@@ -169,5 +169,64 @@ TEST(Materials, WarnAboutDegreesCelsius) {
     EXPECT_THAT(materials.warnings[0], HasSubstr("293.15 K"));
 }
 
+std::vector<Materials> room_cases(std::string_view toml) {
+    return read_cases(toml, "m.toml", {room_faces, {}});
+}
+
+TEST(FaceGroups, AreTheFacesOfEachEntryUnlessTheFileNamesThem) {
+    const std::string sound =
+        "[materials]\n\"wall*\" = { emissivity = 0.9, flux = 0 }\nfloor = { emissivity = 0.5, temperature = 300 }\n"
+        "ceiling = { emissivity = 0.5, temperature = 300 }\n";
+    const auto by_entry = room_cases(sound).front().groups;
+    ASSERT_EQ(by_entry.size(), 3u);
+    EXPECT_EQ(by_entry[0].name, "floor");
+    EXPECT_EQ(by_entry[2].name, "wall*");
+    EXPECT_THAT(by_entry[2].faces, testing::ElementsAre(2u, 3u));
+    const Materials named = room_cases(sound + "[groups]\nflat = [\"floor\", \"ceil*\"]\nall = \"*\"\n").front();
+    EXPECT_TRUE(named.has_named_groups);
+    ASSERT_EQ(named.groups.size(), 2u);
+    EXPECT_THAT(named.groups[0].faces, testing::SizeIs(4));
+    EXPECT_THAT(named.groups[1].faces, testing::ElementsAre(0u, 1u));
+    EXPECT_THAT(refusal_of_materials(sound + "[groups]\nflat = [\"flor\"]\n"), HasSubstr("Did you mean 'floor'?"));
+}
+
+TEST(HeatCases, ChangeEntriesOfTheFile) {
+    const std::string base =
+        "surroundings = 290\n[materials]\n\"wall*\" = { emissivity = 0.9, flux = 0 }\n"
+        "floor = { emissivity = 0.5, temperature = 300 }\nceiling = { emissivity = 0.5, temperature = 300 }\n";
+    const auto cases = room_cases(base + R"(
+[[case]]
+name = "as drawn"
+[[case]]
+name = "night"
+surroundings = 270
+[case.materials]
+floor = { flux = 0 }
+"wall*" = { emissivity = 0.2 }
+wall_south = { emissivity = 1, temperature = 280 }
+)");
+    ASSERT_EQ(cases.size(), 2u);
+    EXPECT_EQ(cases[0].name, "as drawn");
+    EXPECT_EQ(cases[0].surroundings, 290);
+    EXPECT_EQ(cases[0].faces[0].temperature, 300);
+    EXPECT_EQ(cases[1].surroundings, 270);
+    EXPECT_EQ(cases[1].faces[0].flux, 0);
+    EXPECT_FALSE(cases[1].faces[0].temperature);
+    EXPECT_EQ(cases[1].faces[0].emissivity, 0.5);
+    EXPECT_EQ(cases[1].faces[1].temperature, 300);
+    EXPECT_EQ(cases[1].faces[2].emissivity, 0.2);
+    EXPECT_EQ(cases[1].faces[2].flux, 0);
+    EXPECT_EQ(cases[1].faces[3].temperature, 280);
+    const auto refused = [&](const std::string& more) { return refusal_of_materials(base + more); };
+    EXPECT_THAT(refused("[[case]]\n"), HasSubstr("name"));
+    EXPECT_THAT(refused("[[case]]\nname = \"a\"\n[[case]]\nname = \"a\"\n"), HasSubstr("two cases"));
+    EXPECT_THAT(refused("[[case]]\nname = \"a\"\n[case.materials]\nflor = { emissivity = 1, flux = 0 }\n"),
+                HasSubstr("Did you mean 'floor'?"));
+    EXPECT_THAT(refused("[[case]]\nname = \"a\"\n[case.materials]\nfloor = { temperature = 9, flux = 0 }\n"),
+                HasSubstr("not both"));
+    EXPECT_THAT(refused("[[case]]\nname = \"a\"\n[case.materials]\nfloor = { reflectance = 0.5 }\n"),
+                HasSubstr("Leave one kind out"));
+}
+
 }  // namespace
 }  // namespace ff::studies::heat
