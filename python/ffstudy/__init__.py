@@ -3,6 +3,7 @@
     import ffstudy
     found = ffstudy.form_factors("room.obj", tolerance=1e-4)
     found.factors, found.half_widths          # numpy arrays (faces, faces), dimensionless
+    ffstudy.heat("room.obj", "materials.toml").power   # (faces, 2): both ends, in W
     ffstudy.points("sobol", 1024, 4, seed=1)  # (1024, 4) in [0, 1)
     ffstudy.Study.from_toml("study.toml").run().summary["rmse"]
     ffstudy.check({"F12": estimates}, "bands.toml").passed
@@ -11,9 +12,9 @@ Results are those of the program `ffstudy` to the bit: the same study and seed g
 `ffstudy.InputError` and `ffstudy.FileError`; Ctrl-C stops a computation cleanly. docs/python.md has more.
 """
 
+import json
 import os
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, List, Optional, Sequence, Union
 
 import numpy
@@ -24,8 +25,8 @@ from .gates import Gate, Verdicts, check
 from .study import Results, Scene, Study
 from .tables import MOST_ROWS, to_html
 
-__all__ = ["Error", "FileError", "FormFactors", "Gate", "InputError", "Results", "Scene", "Study", "Verdicts", "check", "exact",
-           "form_factors", "load_plugin", "points"]
+__all__ = ["Error", "FileError", "FormFactors", "Gate", "Heat", "InputError", "Results", "Scene", "Study", "Verdicts", "check", "exact",
+           "form_factors", "heat", "load_plugin", "points"]
 
 SceneFile = Union[str, os.PathLike]
 
@@ -65,7 +66,7 @@ def _threads(threads):
 def _scene(scene):
     """Name and text of a scene; no text for a built-in one."""
     file, before_zone, zone = os.fspath(scene).partition(" zone:")
-    if isinstance(scene, str) and Path(file).suffix.lower() not in (".obj", ".toml", ".vs3", ".idf", ".epjson"):
+    if isinstance(scene, str) and not _core.is_scene_file(file):
         return scene, None
     return os.path.basename(file) + before_zone + zone, _core.read_scene_file(file)
 
@@ -92,14 +93,21 @@ def _obj(vertices, faces, names):
     return text if names is not None else _core.with_faces_of_polygons(text)
 
 
+def _scene_or_polygons(caller, scene, vertices, faces, names):
+    """Name and text of the scene that was given as one, or as polygons."""
+    if (scene is None) == (vertices is None or faces is None):
+        raise InputError(f"{caller}: a scene, or vertices and faces (expected one of the two). Give one.")
+    return _scene(scene) if scene is not None else ("polygons.obj", _obj(vertices, faces, names))
+
+
 def form_factors(scene: Optional[SceneFile] = None, *, vertices=None, faces: Optional[Sequence[Sequence[int]]] = None,
                  names: Optional[Sequence[str]] = None, tolerance: float = 1e-5, level: float = 0.95,
                  simultaneous: bool = False, seed: int = 0, threads: Optional[int] = None,
                  max_samples: int = 1_000_000_000) -> FormFactors:
     """All form factors of a scene, exactly where geometry allows it and by sampling elsewhere.
 
-    scene: a built-in scene ("cube", "box:2x1x0.5") or a file (.obj, .toml, .vs3, .idf, .epJSON, the last
-        two also with a zone: "house.idf zone:Attic").
+    scene: a built-in scene ("cube", "box:2x1x0.5") or a file of any kind that the program reads (of EnergyPlus's also
+        with a zone: "house.idf zone:Attic").
     vertices, faces: instead of it, an array (vertices, 3) and the corners of each polygon, counted from 0 and
         counter-clockwise as seen from the side that radiates. `names` gives faces names; faces of one name are one.
     tolerance: largest half width of an interval.   level: of the intervals, above 0.5.
@@ -107,12 +115,88 @@ def form_factors(scene: Optional[SceneFile] = None, *, vertices=None, faces: Opt
 
     Raises InputError, FileError; KeyboardInterrupt on Ctrl-C.
     """
-    if (scene is None) == (vertices is None or faces is None):
-        raise InputError("form_factors: a scene, or vertices and faces (expected one of the two). Give one.")
-    name, text = _scene(scene) if scene is not None else ("polygons.obj", _obj(vertices, faces, names))
+    name, text = _scene_or_polygons("form_factors", scene, vertices, faces, names)
     found = _core.form_factors(name, text, tolerance, level, simultaneous, seed, _threads(threads), max_samples)
     return FormFactors(found.factors, found.half_widths, numpy.array(found.areas), found.names, found.missed,
                        found.trusted, found.samples, found.faults, found.notes)
+
+
+@dataclass(frozen=True)
+class Heat:
+    """What grey diffuse faces emit, reflect and absorb. Quantities are arrays (faces, 2): both ends of intervals that hold
+    all at once. Where the materials have [[case]]s they have one more axis, (cases, faces, 2)."""
+
+    names: List[str]  #: of the faces
+    areas: numpy.ndarray  #: (faces,), m²
+    radiosity: numpy.ndarray  #: W/m², emitted and reflected
+    irradiation: numpy.ndarray  #: W/m²
+    net: numpy.ndarray  #: W/m², out of the face
+    power: numpy.ndarray  #: W, net times area
+    temperature: numpy.ndarray  #: K
+    balance: numpy.ndarray  #: (2,), or (cases, 2): W, all powers together: what the surroundings take up, or 0
+    groups: Any  #: {name: (low, high)}: W of each group of faces; a list of them, one for each case
+    cases: List[str]  #: names of the cases; empty where there are none
+    trusted: bool  #: whether nothing speaks against the scene and its form factors as a whole
+    warnings: List[str]  #: what is wrong with the scene, and temperatures that may be in other units
+
+
+def _materials(names, emissivity, temperature, flux, surroundings):
+    """The text of a materials file for arrays of as many values as there are faces, or one for all."""
+    columns = {}
+    for key, values in (("emissivity", emissivity), ("temperature", temperature), ("flux", flux)):
+        if values is None:
+            continue
+        values = numpy.asarray(values, dtype=float)
+        if values.shape not in ((), (len(names),)):
+            raise InputError(f"{key}: an array of shape {values.shape} (there are {len(names)} faces). Give one value, "
+                             "or one for each.")
+        columns[key] = numpy.broadcast_to(values, len(names)).tolist()
+    lines = [] if surroundings is None else [f"surroundings = {float(surroundings)!r}"]
+    lines.append("[materials]")
+    for face, name in enumerate(names):
+        given = ", ".join(f"{key} = {values[face]!r}" for key, values in columns.items()
+                          if not numpy.isnan(values[face]))
+        lines.append(f"{json.dumps(name, ensure_ascii=False)} = {{ {given} }}")
+    return "\n".join(lines) + "\n"
+
+
+def heat(scene: Optional[SceneFile] = None, materials: Optional[SceneFile] = None, *, vertices=None,
+         faces: Optional[Sequence[Sequence[int]]] = None, names: Optional[Sequence[str]] = None, emissivity=None,
+         temperature=None, flux=None, surroundings: Optional[float] = None, scale: float = 1, tolerance: float = 1e-4,
+         level: float = 0.95, seed: int = 1, threads: Optional[int] = None,
+         max_samples: int = 1_000_000_000) -> Heat:
+    """Heat between the faces of a scene, as `ffstudy heat` finds it.
+
+    scene, or vertices, faces and names: as for form_factors.
+    materials: a materials file (docs/heat.md).
+    emissivity, temperature, flux, surroundings: instead of it, one value for all faces or an array (faces,), in K and
+        W/m². A face has a temperature or a flux; the other is NaN.
+    scale: metres per unit of length.   tolerance: largest half width of a form factor.
+    level: that all intervals hold at once.   max_samples: rays and points in all.
+
+    Raises InputError, FileError; KeyboardInterrupt on Ctrl-C.
+    """
+    name, text = _scene_or_polygons("heat", scene, vertices, faces, names)
+    arrays = [emissivity, temperature, flux, surroundings]
+    if (materials is None) == all(values is None for values in arrays):
+        raise InputError("heat: a materials file, or emissivity with temperature or flux (expected one of the two). "
+                         "Give one.")
+    if materials is not None:
+        origin = os.fspath(materials)
+        properties = _core.read_materials_file(origin)
+    else:
+        origin = "arrays"
+        properties = _materials(_core.face_names(name, text), *arrays)
+    found = _core.heat(name, text, properties, origin, scale, tolerance, level, seed, _threads(threads), max_samples)
+    cases = [case for case in found.cases if case]
+    groups = [dict(of_case) for of_case in found.groups]
+
+    def shaped(values):
+        return values if cases else values[0]
+
+    return Heat(found.names, numpy.array(found.areas), shaped(found.radiosity), shaped(found.irradiation),
+                shaped(found.net), shaped(found.power), shaped(found.temperature), shaped(found.balance[:, 0]),
+                shaped(groups), cases, found.trusted, found.warnings)
 
 
 def points(name: str, n: int, d: int = 4, seed: int = 1, trial: int = 0, *, deadline: float = 60) -> numpy.ndarray:

@@ -30,6 +30,20 @@ class FormFactors:
     notes: List[str]
     def sparse(self) -> Any: ...
 
+class Heat:
+    names: List[str]
+    areas: numpy.ndarray
+    radiosity: numpy.ndarray
+    irradiation: numpy.ndarray
+    net: numpy.ndarray
+    power: numpy.ndarray
+    temperature: numpy.ndarray
+    balance: numpy.ndarray
+    groups: Any
+    cases: List[str]
+    trusted: bool
+    warnings: List[str]
+
 class Gate:
     name: str
     kind: str
@@ -103,6 +117,24 @@ def form_factors(
     threads: Optional[int] = None,
     max_samples: int = 1_000_000_000,
 ) -> FormFactors: ...
+def heat(
+    scene: Optional[SceneFile] = None,
+    materials: Optional[SceneFile] = None,
+    *,
+    vertices: Optional[numpy.typing.ArrayLike] = None,
+    faces: Optional[Sequence[Sequence[int]]] = None,
+    names: Optional[Sequence[str]] = None,
+    emissivity: Optional[numpy.typing.ArrayLike] = None,
+    temperature: Optional[numpy.typing.ArrayLike] = None,
+    flux: Optional[numpy.typing.ArrayLike] = None,
+    surroundings: Optional[float] = None,
+    scale: float = 1,
+    tolerance: float = 1e-4,
+    level: float = 0.95,
+    seed: int = 1,
+    threads: Optional[int] = None,
+    max_samples: int = 1_000_000_000,
+) -> Heat: ...
 def check(
     estimates: Union[SceneFile, Mapping[str, numpy.typing.ArrayLike], numpy.ndarray, Any],
     bands: SceneFile,

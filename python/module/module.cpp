@@ -34,11 +34,6 @@ namespace py = pybind11;
 namespace ff::python {
 namespace {
 
-/// A scene: the name of a built-in one, or the name of a file with its text.
-Scene scene_of(const std::string& name, const std::optional<std::string>& text) {
-    return text ? studies::make_scene(studies::source_of_file(name, *text)) : studies::make_scene(name);
-}
-
 /// Matrices of more faces are sparse in Python: most pairs of large scenes do not see each other.
 constexpr Eigen::Index most_dense = 2048;
 
@@ -61,30 +56,21 @@ struct Factors {
     std::vector<std::string> notes;
 };
 
-Factors form_factors(const std::string& name, const std::optional<std::string>& text, double tolerance, double level,
-                     bool simultaneous, std::uint64_t seed, unsigned threads, std::uint64_t max_samples) {
+Factors form_factors(const SceneText& source, const MatrixRequest& asked, bool simultaneous) {
     Factors found;
     run_interruptibly([&](const std::atomic<bool>& stop) {
-        const Scene scene = scene_of(name, text);
-        if (!mirrors(scene).empty())
-            throw UserError("scene '{}': mirrors (pairs are computed one by one). Leave them out.", name);
-        studies::form_factors::Request request;
-        request.tolerance = tolerance;
-        request.level = level;
+        const Scene scene = studies::make_scene(source.source());
+        studies::form_factors::Request request = asked.request(stop);
         if (simultaneous) request.level_of = studies::form_factors::LevelOf::matrix;
-        request.seed = Seed{seed};
-        request.threads = threads;
-        request.max_samples = max_samples;
-        request.stop = &stop;
         auto doubts = studies::examine_scene(scene);
-        auto matrix = studies::form_factors::find_matrix(scene, request);
+        auto matrix = find_matrix_without_mirrors(scene, request);
         matrix.faults = doubts.faults;
         found.factors = matrix.factors();
         found.half_widths = matrix.half_widths();
         found.areas = matrix.areas;
         found.names = studies::form_factors::with_added_faces(scene, "").faces;
         found.missed = matrix.missed();
-        found.trusted = studies::form_factors::is_trusted(scene, matrix, tolerance);
+        found.trusted = studies::form_factors::is_trusted(scene, matrix, request.tolerance);
         found.samples = matrix.samples;
         found.faults = std::move(doubts.faults);
         found.notes = std::move(doubts.notes);
@@ -93,7 +79,7 @@ Factors form_factors(const std::string& name, const std::optional<std::string>& 
 }
 
 std::optional<double> exact(const std::string& name, const std::optional<std::string>& text, int from, int to) {
-    const Scene scene = scene_of(name, text);
+    const Scene scene = studies::make_scene(SceneText{name, text}.source());
     const auto faces = static_cast<int>(scene.faces.size());
     for (const int face : {from, to}) {
         if (face < 1 || face > faces)
@@ -135,6 +121,25 @@ void translate(std::exception_ptr failure) {
 }
 
 }  // namespace
+
+studies::form_factors::Request MatrixRequest::request(const std::atomic<bool>& stop) const {
+    studies::form_factors::Request request;
+    request.tolerance = tolerance;
+    request.level = level;
+    request.seed = Seed{seed};
+    request.threads = threads;
+    request.max_samples = max_samples;
+    request.stop = &stop;
+    return request;
+}
+
+studies::form_factors::Matrix find_matrix_without_mirrors(const Scene& scene,
+                                                          const studies::form_factors::Request& request) {
+    if (!mirrors(scene).empty())
+        throw UserError("scene '{}': mirrors (pairs are computed one by one). Leave them out.", scene.name);
+    return studies::form_factors::find_matrix(scene, request);
+}
+
 }  // namespace ff::python
 
 PYBIND11_MODULE(_core, module) {
@@ -151,8 +156,14 @@ PYBIND11_MODULE(_core, module) {
         .def_readonly("samples", &Factors::samples)
         .def_readonly("faults", &Factors::faults)
         .def_readonly("notes", &Factors::notes);
-    module.def("form_factors", &form_factors, arg("name"), arg("text"), arg("tolerance"), arg("level"),
-               arg("simultaneous"), arg("seed"), arg("threads"), arg("max_samples"));
+    module.def(
+        "form_factors",
+        [](const std::string& name, const std::optional<std::string>& text, double tolerance, double level,
+           bool simultaneous, std::uint64_t seed, unsigned threads, std::uint64_t max_samples) {
+            return form_factors({name, text}, {tolerance, level, seed, threads, max_samples}, simultaneous);
+        },
+        arg("name"), arg("text"), arg("tolerance"), arg("level"), arg("simultaneous"), arg("seed"), arg("threads"),
+        arg("max_samples"));
     module.def("exact", &exact, arg("name"), arg("text"), arg("i"), arg("j"));
     module.def(
         "points",
@@ -169,6 +180,10 @@ PYBIND11_MODULE(_core, module) {
                arg("randomised"));
     module.def("add_estimator", &add_estimator, arg("name"), arg("hash"), arg("estimate"), arg("has_sizes"),
                arg("randomised"));
+    module.def(
+        "is_scene_file", [](const std::string& name) { return ff::studies::scene_source(name).is_file(); },
+        arg("name"));
     bind_gates(module);
+    bind_heat(module);
     bind_study(module);
 }
