@@ -36,12 +36,13 @@ ffstudy list samplers
 expect_equal_files "$folder/promised" "$folder/stdout"
 
 # So are the configurations, with the digits that are computed.
-for command in "list configurations" "explain wedge"; do
-    blocks "" "$root/docs/catalogue.md" | sed -n "/^\$ ffstudy $command\$/,/^\$ /p" | sed '1d; /^\$ /d; /^Against/,$d' >"$folder/promised"
-    # shellcheck disable=SC2086  # two words
-    ffstudy $command
-    expect_equal_files "$folder/promised" "$folder/stdout"
-done
+blocks "" "$root/docs/catalogue.md" | sed -n '/^\$ ffstudy list configurations | head -8$/,/^\$ /p' | sed '1d; $d' >"$folder/promised"
+ffstudy list configurations
+head -8 "$folder/stdout" >"$folder/begin"
+expect_equal_files "$folder/promised" "$folder/begin"
+blocks "" "$root/docs/catalogue.md" | sed -n '/^\$ ffstudy explain wedge$/,/^Against/p' | sed '1d; $d' >"$folder/promised"
+ffstudy explain wedge
+expect_equal_files "$folder/promised" "$folder/stdout"
 
 # The study of the catalogue has a row for each pair and method, and none is biased. Those that the page shows are among
 # them, with their exact values. (Estimates may differ in the last digits where Embree has other code for a CPU.)
