@@ -1,6 +1,5 @@
 #include "studies/heat/materials.hpp"
 
-#include "core/support/contract.hpp"
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
 #include "studies/readers/toml_reader.hpp"
@@ -281,12 +280,6 @@ std::vector<Materials> read_cases(std::string_view toml, std::string_view origin
     }
     if (cases.empty()) add("", surroundings, entries);
     return cases;
-}
-
-Materials read_materials(std::string_view toml, std::string_view origin, const NamedFaces& faces) {
-    std::vector<Materials> cases = read_cases(toml, origin, faces);
-    FF_EXPECT(cases.size() == 1);
-    return std::move(cases.front());
 }
 
 }  // namespace ff::studies::heat

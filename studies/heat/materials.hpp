@@ -56,7 +56,4 @@ std::optional<double> said_emissivity(const std::vector<FaceMaterial>& said, std
 /// @throws UserError with the place, and the face with no material, two, or an incomplete one
 std::vector<Materials> read_cases(std::string_view toml, std::string_view origin, const NamedFaces& faces);
 
-/// The materials of a file with one case.
-Materials read_materials(std::string_view toml, std::string_view origin, const NamedFaces& faces);
-
 }  // namespace ff::studies::heat

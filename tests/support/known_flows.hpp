@@ -5,7 +5,15 @@
 #include "studies/heat/heat.hpp"
 #include "studies/heat/materials.hpp"
 
+#include <string_view>
+#include <utility>
+
 namespace ff::studies::heat {
+
+/// The materials of the first case of a file.
+inline Materials read_materials(std::string_view toml, std::string_view origin, const NamedFaces& faces) {
+    return std::move(read_cases(toml, origin, faces).front());
+}
 
 /// Scenes beside the catalogue whose flows are known.
 
