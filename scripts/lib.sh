@@ -78,7 +78,7 @@ install_packages() {
     # The package lists are absent or older than the archive.
     finish_installations && quietly as_root "${get[@]}" update && install_listed || {
         echo "Packages could not be installed: see above. Where the network failed, run this again: it continues" >&2
-        echo "where it stopped. Where a package is broken, mend it with these, as root, and run this again:" >&2
+        echo "where it stopped. Where a package is broken, repair it with these, as root, and run this again:" >&2
         echo "dpkg --configure -a && apt-get --fix-broken install" >&2
         return 1
     }

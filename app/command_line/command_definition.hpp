@@ -54,7 +54,6 @@ struct CommandDefinition {
     std::vector<OptionDefinition> options;         ///< options and arguments, in the order of --help
     std::vector<std::string>* unparsed = nullptr;  ///< receives all after the command, including --help; null: nothing
     std::function<ExitCode()> action;
-    std::string former_name{};  ///< accepted too; empty: none
 
     /// @param target  of a type that OptionTarget lists; it lives until the action has ended
     template <class Target>

@@ -224,10 +224,11 @@ std::string exclusion(const CLI::App& command) {
     }
 }
 
-/// The name of the command that had this one, or the word as it is.
+/// The name of the command that this word is with underscores instead of hyphens, or the word as it is.
 const char* present_name(const ProgramDefinition& program, const char* word) {
+    const auto alike = [](char a, char b) { return a == b || (a == '-' && b == '_'); };
     for (const CommandDefinition& command : program.commands) {
-        if (!command.former_name.empty() && command.former_name == word) return command.name.c_str();
+        if (std::ranges::equal(command.name, std::string_view(word), alike)) return command.name.c_str();
     }
     return word;
 }

@@ -43,7 +43,6 @@ void settle_by_load(CommandDefinition& sub, std::initializer_list<std::string_vi
 void add_form_factors(ProgramDefinition& program) {
     const auto [sub, command] = program.command<FormFactorsCommand>(
         everyday, "form-factors", "All form factors of a scene, each with an interval", form_factors);
-    sub.former_name = "form_factors";
     auto& request = command.request;
     sub.option("--load", command.load, "Instead of SCENE: a folder that --out has written", {.type = "DIR"});
     sub.option(
@@ -110,8 +109,10 @@ studies::SceneSource read_source(const FormFactorsCommand& command) {
     if (!source.is_file()) {
         if (!std::filesystem::is_regular_file(name)) return source;
         static_cast<void>(studies::read_text_file(name, studies::FileKind::scene));  // says so if it is something else
-        throw UserError("{}: its extension names no scene format ({}). Rename it.", name,
-                        studies::scene_extensions_in_words());
+        throw UserError(
+            "{}: its extension names no scene format ({}). Give a scene file, or a name of 'ffstudy list "
+            "scenes'.",
+            name, studies::scene_extensions_in_words());
     }
     std::string text = studies::read_scene_file(source.name);
     for (const std::string& comment : said) text = studies::with_obj_comment(text, comment);

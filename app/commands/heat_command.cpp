@@ -37,7 +37,7 @@ namespace {
 struct HeatCommand {
     FormFactorsCommand factors;  ///< their level holds for all factors at once
     std::filesystem::path materials;
-    double scale = 1;                           ///< metres of a unit of length of the scene
+    std::optional<double> scale;                ///< metres of a unit of length of the scene
     std::optional<std::string> tolerance;       ///< largest error of form factors, or of powers, as typed
     std::string tolerance_of = "factor";        ///< or "flux"
     std::optional<std::string> flow_tolerance;  ///< largest error of powers, where `tolerance` is that of form factors
@@ -88,9 +88,21 @@ void expect_one_set_of_reflectances(const std::vector<studies::heat::Materials>&
             throw UserError(
                 "--gebhart: the cases '{}' and '{}' of {} have different emissivities (gebhart.csv is of one set). "
                 "Keep "
-                "one of them.",
+                "one.",
                 cases.front().name, one.name, file.string());
     }
+}
+
+/// Metres per unit of length of the scene. @throws UserError where its file says so itself
+double scale_of_flows(const HeatCommand& command, const studies::SceneWithMaterials& made) {
+    if (!command.scale) return 1;
+    if (!studies::is_scale(*command.scale))
+        throw UserError("--scale {} (1e-9 to 1e9 metres). Write 0.001 for millimetres.", *command.scale);
+    if (made.scale != 1)
+        throw UserError(
+            "--scale {}: the file of scene '{}' says 'scale {}' itself, and was read so. Leave the option out.",
+            *command.scale, made.scene.name, made.scale);
+    return *command.scale;
 }
 
 double factor_tolerance_of(const HeatCommand& command) {
@@ -127,10 +139,6 @@ const std::vector<std::string> heat_files{"heat.csv",     "groups.csv",  "gebhar
 void write_heat_files(OutputFolder& folder, const HeatCommand& command, const studies::form_factors::KeptMatrix& kept,
                       const reports::HeatReport& report, const reports::HeatRequest& request,
                       const std::vector<std::string>& warnings) {
-    // Factors that were sampled for the flows of one case are not those of the request.
-    folder.remove(matrix_store_file);
-    if (report.sampled == nullptr)
-        folder.replace(matrix_store_file, [&](const auto& file) { studies::form_factors::save_matrix(file, kept); });
     folder.write("heat.csv", [&](std::ostream& file) { reports::write_heat_csv(file, report); });
     folder.write("groups.csv", [&](std::ostream& file) { reports::write_groups_csv(file, report); });
     folder.remove("gebhart.csv");
@@ -146,16 +154,44 @@ void write_heat_files(OutputFolder& folder, const HeatCommand& command, const st
                                                     find_templates({})));
 }
 
+/// What is doubtful about materials, each once.
+std::vector<std::string> warnings_about(const std::vector<studies::heat::Materials>& cases) {
+    std::vector<std::string> warnings;
+    for (const auto& one : cases) {
+        for (const std::string& warning : one.warnings) {
+            if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
+        }
+    }
+    return warnings;
+}
+
+/// Solves all cases with the same form factors. @throws UserError, which names the case
+std::vector<studies::heat::SolvedCase> solve(std::vector<studies::heat::Materials> cases,
+                                             const studies::form_factors::KeptMatrix& kept, double scale) {
+    std::vector<studies::heat::SolvedCase> solved;
+    for (auto& one : cases) {
+        try {
+            auto flows = studies::heat::find_flows(kept.scene, kept.matrix, one, scale);
+            solved.push_back({std::move(one), std::move(flows)});
+        } catch (const studies::heat::ImpossibleRow&) {
+            throw;  // of the form factors, for every case
+        } catch (const UserError& error) {
+            if (one.name.empty()) throw;
+            throw UserError("case '{}': {}", one.name, error.what());
+        }
+    }
+    return solved;
+}
+
 ExitCode find_flows(const HeatCommand& command) {
-    if (!(command.scale >= 1e-9 && command.scale <= 1e9))
-        throw UserError("--scale {} (1e-9 to 1e9 metres). Write 0.001 for millimetres.", command.scale);
     const bool is_loaded = !command.factors.load.empty();
     if (!is_loaded && command.factors.scene.empty()) throw UserError("SCENE is missing. See 'ffstudy heat --help'.");
     auto kept = is_loaded ? load_of_all_at_once(command.factors) : prepare_form_factors(command.factors);
     studies::expect_no_masks(kept.scene);
-    const auto said = studies::make_scene_with_materials(kept.source).materials;
+    const auto made = studies::make_scene_with_materials(kept.source);
+    const double scale = scale_of_flows(command, made);
     const auto file = studies::read_text_file(command.materials, studies::FileKind::materials);
-    auto cases = studies::heat::read_cases(file, command.materials.string(), {kept.scene.faces, said});
+    auto cases = studies::heat::read_cases(file, command.materials.string(), {kept.scene.faces, made.materials});
     const bool samples_flows = !is_loaded && command.tolerance_of == "flux";
     if (samples_flows && cases.size() > 1)
         throw UserError(
@@ -166,17 +202,12 @@ ExitCode find_flows(const HeatCommand& command) {
     if (!samples_flows && !is_loaded) kept.request.tolerance = factor_tolerance_of(command);
     std::optional<OutputFolder> out;
     if (!command.factors.out.empty()) out.emplace(command.factors.out, "heat", heat_files);
-    std::vector<std::string> warnings;
-    for (const auto& one : cases) {
-        for (const std::string& warning : one.warnings) {
-            if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
-        }
-    }
+    std::vector<std::string> warnings = warnings_about(cases);
     for (const std::string& warning : warnings) say("warning: {}\n", warning);
     std::optional<studies::heat::SampledFlows> sampled;
     const auto find = [&](const Scene& scene, const studies::form_factors::Request& request) {
         if (!samples_flows) return studies::form_factors::find_matrix(scene, request);
-        sampled = studies::heat::sample_flows(scene, request, cases.front(), command.scale, tolerance);
+        sampled = studies::heat::sample_flows(scene, request, cases.front(), scale, tolerance);
         return std::move(sampled->matrix);
     };
     const bool is_there = out && !is_loaded && !samples_flows && take_from_folder(kept, command.factors.out);
@@ -188,21 +219,28 @@ ExitCode find_flows(const HeatCommand& command) {
         say("warning: {}\n", warning);
         warnings.push_back(warning);
     }
-    std::vector<studies::heat::SolvedCase> solved;
-    for (auto& one : cases) {
-        auto flows = sampled ? std::move(sampled->flows)
-                             : studies::heat::find_flows(kept.scene, kept.matrix, one, command.scale);
-        solved.push_back({std::move(one), std::move(flows)});
+    if (out) {
+        // Kept before anything about the materials can fail. Factors that were sampled for flows are not reused.
+        out->remove(matrix_store_file);
+        if (!sampled)
+            out->replace(matrix_store_file,
+                         [&](const auto& store) { studies::form_factors::save_matrix(store, kept); });
     }
-    const reports::HeatReport report{kept.scene, kept.request, solved, sampled ? &*sampled : nullptr};
+    std::vector<studies::heat::SolvedCase> solved;
+    if (sampled)
+        solved.push_back({std::move(cases.front()), std::move(sampled->flows)});
+    else
+        solved = solve(std::move(cases), kept, scale);
+    const bool trusted = studies::form_factors::is_trusted(kept.scene, kept.matrix, kept.request.tolerance);
+    const reports::HeatReport report{kept.scene, kept.request, solved,
+                                     tolerance,  trusted,      sampled ? &*sampled : nullptr};
     if (const auto widened = reports::widened_rows(report)) {
         say("note: {}\n", *widened);
         warnings.push_back(*widened);
     }
     if (!command.factors.quiet) print_folded(reports::heat_text(report, style_of_stdout()));
-    if (out) write_heat_files(*out, command, kept, report, {file, command.scale, tolerance}, warnings);
+    if (out) write_heat_files(*out, command, kept, report, {file, scale}, warnings);
     if (by_signal) return ExitCode::interrupted;
-    const bool trusted = studies::form_factors::is_trusted(kept.scene, kept.matrix, kept.request.tolerance);
     const bool within = std::ranges::all_of(solved, [&](const auto& one) { return one.flows.within(tolerance); });
     return trusted && within ? ExitCode::passed : ExitCode::inconclusive;
 }
@@ -223,14 +261,14 @@ void add_heat(ProgramDefinition& program) {
         everyday, "heat", "Heat or light between the faces of a scene, with intervals", heat);
     auto& factors = command.factors;
     factors.whole_matrix = true;
-    sub.option("--load", factors.load, "Instead of SCENE: a folder that 'form-factors --simultaneous' has written",
+    sub.option("--load", factors.load, "Instead of SCENE: a folder of 'heat', or of 'form-factors --simultaneous'",
                {.type = "DIR"});
     sub.option("SCENE", factors.scene,
                fmt::format("A built-in scene, or a file ({})", studies::scene_extensions_in_words()));
     add_options_of_scenes(sub, factors);
     sub.option("--materials", command.materials, "Materials file (.toml): emissivities and temperatures or fluxes",
                {.type = "FILE", .is_required = true});
-    sub.option("--scale", command.scale, "Metres of a unit of length of the scene", {.shows_default = true});
+    sub.option("--scale", command.scale, "Metres of a unit of length of the scene (default: 1)");
     sub.option("--flow-tolerance", command.flow_tolerance,
                "Of every power: 0.1% of what the sources give off (default), or 40W", {.type = "AMOUNT"});
     sub.option("--tolerance", command.tolerance,

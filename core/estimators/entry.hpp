@@ -58,7 +58,7 @@ std::string refusal_of(const EstimatorInfo& info, const Scene& scene);
 /// The same for what an estimator finds out by itself: "NAME cannot be used in scene 'SCENE' (WHY). Use estimator =
 /// ..."
 std::string refused(const EstimatorInfo& info, const Scene& scene, std::string_view why,
-                    std::string_view instead = "\"ray_shooting\" or \"area_kernel\"");
+                    std::string_view instead = R"("ray_shooting" or "area_kernel")");
 
 /// The catalogue's line for estimator T.
 template <class T>

@@ -75,8 +75,7 @@ void approach(const FactorBounds& factors, const VectorXd& reflected, double con
         choose(factors, radiosity, chosen);
         const VectorXd image = VectorXd::Constant(n, constant) + chosen * radiosity;
         const double growth = (image - values).maxCoeff();
-        const double scale = std::max(
-            {image.cwiseAbs().maxCoeff(), radiosity.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min()});
+        const double scale = std::max(image.cwiseAbs().maxCoeff(), radiosity.cwiseAbs().maxCoeff());
         take(values, std::max(0.0, growth) + static_cast<double>(n + 1) * epsilon * scale);
         if (i > 0 && growth <= tolerance * scale) return;
         VectorXd known(n + 1);

@@ -10,7 +10,7 @@ class Error(Exception):
 
 
 class InputError(Error, ValueError):
-    """Input that can be mended: the message says where, what is wrong, why, and what to do.
+    """Input that can be corrected: the message says where, what is wrong, why, and what to do.
 
     `file`, `line` and `column` are those of the message (from 1), or None where it names none.
     """

@@ -1,6 +1,7 @@
 #include "python/module/interruptible.hpp"
 #include "python/module/module.hpp"
 
+#include "core/support/error.hpp"
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/heat/heat.hpp"
 #include "studies/readers/text_file.hpp"
@@ -35,7 +36,10 @@ Heat heat(const SceneText& source, const std::string& materials, const std::stri
           const MatrixRequest& asked) {
     Heat found;
     run_interruptibly([&](const std::atomic<bool>& stop) {
-        const auto [scene, said] = studies::make_scene_with_materials(source.source());
+        const auto [scene, said, lengths] = studies::make_scene_with_materials(source.source());
+        if (lengths != 1 && scale != 1)
+            throw UserError("scale = {}: the file says 'scale {}' itself, and was read so. Leave it out.", scale,
+                            lengths);
         studies::expect_no_masks(scene);
         found.names = scene.faces;
         auto cases = studies::heat::read_cases(materials, origin, {scene.faces, said});

@@ -171,7 +171,7 @@ std::string answer(const RunComparison& comparison) {
     }
     const bool first_leads = lead.first > 0;
     const std::size_t led = lead.first + lead.second;
-    std::string where = fmt::format(" in {} of {} comparisons (the others do not tell them apart)", led, lead.compared);
+    std::string where = fmt::format(" in {} of {} comparisons (no difference shown in the others)", led, lead.compared);
     if (led == lead.compared) where = led == 1 ? "" : fmt::format(" in all {} comparisons", led);
     return fmt::format("{} is better: its RMSE is {} times smaller than that of {}{}. ", first_leads ? first : second,
                        range(*lead.decided), first_leads ? second : first, where);

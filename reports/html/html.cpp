@@ -257,7 +257,7 @@ void add_pictures(const PagePictures& page, const Templates& templates, Json& vi
                                                             page.left_out))
                                          : Json();
     view["lead"] = page.lead ? picture_view(*page.lead) : Json();
-    view["pictured"] = !page.pictures.empty() || !page.groups.empty();
+    view["pictured"] = !page.pictures.empty() || !page.groups.empty() || page.left_out > 0;
     view["pictures"] = pictures_view(page.pictures);
     std::vector<std::string> titles;
     for (const Picture& picture : page.pictures) titles.push_back(picture.title);
@@ -288,6 +288,7 @@ std::string html_report(const studies::StudyResults& results, const Templates& t
     view["scenes"] = scenes_view(results.findings.plan);
     add_tables(results, top.subject, view);
     view["pairs"] = pairs_view(results);
+    view["has_pairs"] = !view["pairs"].empty();
     view["pairs_left_out"] = Json();
     view["again"] = reproduction_view(results);
 

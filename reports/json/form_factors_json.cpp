@@ -22,7 +22,7 @@ Json faces_json(const FormFactorReport& report) {
                      {"row_sum", sum.value},
                      {"row_sum_low", sum.low},
                      {"row_sum_high", sum.high}};
-        if (!report.scene.closed && !report.scene.empty_box)
+        if (!studies::form_factors::rows_add_up(report.scene))
             face.update({{"leaves", 1 - sum.value}, {"leaves_low", 1 - sum.high}, {"leaves_high", 1 - sum.low}});
         if (report.request.drop > 0) {
             const studies::form_factors::DroppedExchange& dropped = sum.dropped;

@@ -55,12 +55,13 @@ Json flow_json(const std::string& name, const studies::heat::SolvedCase& solved,
 
 std::string heat_json(const HeatReport& report, const HeatRequest& request, const std::vector<std::string>& warnings) {
     Json cases = Json::array();
-    for (const auto& solved : report.cases) cases.push_back(case_json(solved, request.tolerance));
+    for (const auto& solved : report.cases) cases.push_back(case_json(solved, report.tolerance));
     const Json json = {{"scene", report.scene.name},
                        {"scale", request.scale},
                        {"tolerance", report.request.tolerance},
-                       {"flow_tolerance", in_words(request.tolerance)},
+                       {"flow_tolerance", in_words(report.tolerance)},
                        {"sampled_for_flows", report.sampled != nullptr},
+                       {"trusted", report.trusted},
                        {"level", report.request.level},
                        {"seed", report.request.seed.value},
                        {"materials", request.materials},

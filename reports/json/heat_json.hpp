@@ -13,7 +13,6 @@ namespace ff::reports {
 struct HeatRequest {
     std::string materials;  ///< the text of the materials file
     double scale = 1;       ///< metres per unit of length of the scene
-    studies::heat::FlowTolerance tolerance;
 };
 
 /// Records of heat.json and of the tables in CSV, with `low` and `high` of each quantity.

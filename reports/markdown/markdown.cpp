@@ -34,7 +34,7 @@ std::string bias_line(const studies::Analysis& findings) {
         tally.sampled, tally.partly > 0 ? fmt::format(", in {} of them on a part of the pairs", tally.partly) : "",
         100 * (1 - findings.plan.spec.level));
     if (const auto margin = findings.plan.spec.equivalence_margin) {
-        out += fmt::format("; a bias within ±{} is shown on every pair of {}", brief(*margin, 2), tally.shown);
+        out += fmt::format("; for {} every pair is shown to lie within ±{}", tally.shown, brief(*margin, 2));
     }
     return out + fmt::format(".{}\n", lost);
 }

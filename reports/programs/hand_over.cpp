@@ -43,8 +43,7 @@ void expect_view3d(const Scene& scene) {
 void write_view3d(std::ostream& out, const HandedOn& handed) {
     constexpr double black = 1;
     const auto n = handed.factors.rows();
-    const std::string header =
-        fmt::format("View3D by-ffstudy 0 {} 0 {}", handed.scene.closed || handed.scene.empty_box ? 1 : 0, n);
+    const std::string header = fmt::format("View3D by-ffstudy 0 {} 0 {}", handed.scene.closed ? 1 : 0, n);
     constexpr int width = 30;  // least width that its reader expects
     out << fmt::format("{:<{}}\n{}\n", header, width, fmt::join(handed.matrix.areas, " "));
     for (Eigen::Index row = 0; row < n; ++row) out << fmt::format("{}\n", fmt::join(whole_row(handed, row), " "));
@@ -125,7 +124,7 @@ void write_epjson(std::ostream& out, const HandedOn& handed) {
 
 void expect_moose(const Scene& scene) {
     expect_few_faces(scene, "moose");
-    if (!scene.closed && !scene.empty_box)
+    if (!scene.closed)
         throw UserError(
             "--format moose: scene '{}' is open (rows have to add up to 1 there). Close it by a "
             "face that stands for its surroundings.",

@@ -21,6 +21,7 @@ std::string_view why_no_interval(studies::VarianceStatus variance) {
         case studies::VarianceStatus::undefined:
             return "infinity or no number in some trials";
         case studies::VarianceStatus::finite:
+            return "too few trials to rule out skewness";
         case studies::VarianceStatus::none:
             break;
     }
@@ -93,14 +94,14 @@ Table occlusion_table(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     Table table{
         "occlusion", "Errors as the occluded fraction grows",
-        fmt::format(
-            "RMSE of a run on one pair of faces, at the size next to the common number of evaluations, and the "
-            "slope of ln(error) on ln(N) along all sizes (± half of its {:g} % interval); of methods without "
-            "a variance the median error. Occluded: the fraction of the unoccluded form factor that does not arrive. "
-            "Marked: shown to err less than every method of the other kind (sampled, deterministic), {:g} % "
-            "over all rows together. An evaluation is a ray, which serves all faces, or a value of the "
-            "kernel, which serves one pair.",
-            100 * plan.spec.level, 100 * (1 - plan.spec.level)),
+        fmt::format("RMSE of a run on one pair of faces, at the size next to the common number of evaluations, and the "
+                    "slope of ln(error) on ln(N) along all sizes (± half of its {:g} % interval); where the "
+                    "variance is infinite, the median error. Occluded: the fraction of the unoccluded form factor that "
+                    "does not arrive. "
+                    "Green: shown to err less than every method of the other kind (sampled, deterministic), {:g} % "
+                    "over all rows together. An evaluation is a ray, which serves all faces, or a value of the "
+                    "kernel, which serves one pair.",
+                    100 * plan.spec.level, 100 * (1 - plan.spec.level)),
         columns({"scene", "pair", ">occluded", ">exact", ">N"})};
     if (results.occlusion.empty()) return table;
     for (const studies::Method& method : plan.spec.methods) table.columns.push_back({method.name});

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ff::reports {
@@ -49,17 +50,18 @@ std::optional<Table> groups_table(const HeatReport& report) {
     if (!report.has_cases() && !tell_more_than_faces(report.cases.front())) return std::nullopt;
     Table table{"groups", "Groups of faces", "", columns({"group", ">faces"})};
     if (report.has_cases()) table.columns.insert(table.columns.begin(), {"case"});
-    table.columns.push_back(quantity(report, "area", "m²"));
-    table.columns.push_back(quantity(report, "net", "W/m²"));
     table.columns.push_back(quantity(report, "power", "W"));
     table.columns.push_back({"share", true, "%"});
+    table.columns.push_back(quantity(report, "net", "W/m²"));
+    table.columns.push_back(quantity(report, "area", "m²"));
     for (const SolvedCase& solved : report.cases) {
         const bool at_rest = solved.flows.are_at_rest();
         for (const GroupFlow& group : solved.flows.groups) {
             const auto& share = group.share;
-            auto& row = table.rows.emplace_back(std::vector<TableCell>{
-                group.name, std::to_string(group.faces), brief(group.area, 6), with_error(group.net(), at_rest),
-                with_error(group.power, at_rest), share ? with_error({100 * share->low, 100 * share->high}) : "-"});
+            auto& row = table.rows.emplace_back(
+                std::vector<TableCell>{group.name, std::to_string(group.faces), with_error(group.power, at_rest),
+                                       share ? with_error({100 * share->low, 100 * share->high}) : "-",
+                                       with_error(group.net(), at_rest), brief(group.area, 6)});
             if (report.has_cases()) row.insert(row.begin(), solved.materials.name);
         }
     }
@@ -71,18 +73,21 @@ Table flows_table(const HeatReport& report, const SolvedCase& solved, std::size_
     const bool at_rest = solved.flows.are_at_rest();
     const bool light = report.is_light();
     Table table{"flows", "Flows", "", {{"face"}}};
-    table.columns.push_back(quantity(report, "area", "m²"));
-    table.columns.push_back(quantity(report, light ? "exitance" : "radiosity", "W/m²"));
-    table.columns.push_back(quantity(report, light ? "incident" : "irradiation", "W/m²"));
-    table.columns.push_back(quantity(report, "net", "W/m²"));
     table.columns.push_back(quantity(report, "power", "W"));
     if (!light) table.columns.push_back(quantity(report, "temperature", "K"));
+    table.columns.push_back(quantity(report, "net", "W/m²"));
+    table.columns.push_back(quantity(report, light ? "exitance" : "radiosity", "W/m²"));
+    table.columns.push_back(quantity(report, light ? "incident" : "irradiation", "W/m²"));
+    table.columns.push_back(quantity(report, "area", "m²"));
     for (const std::size_t i : shown_faces(solved.flows, most)) {
         const FaceFlow& flow = solved.flows.faces[i];
-        table.rows.push_back({scene.faces[i], brief(flow.area, 6), with_error(flow.radiosity),
-                              with_error(flow.irradiation), with_error(flow.net, at_rest),
-                              with_error(flow.power, at_rest)});
-        if (!light) table.rows.back().push_back(with_error(flow.temperature));
+        std::vector<TableCell> row{scene.faces[i], with_error(flow.power, at_rest)};
+        if (!light) row.emplace_back(with_error(flow.temperature));
+        row.emplace_back(with_error(flow.net, at_rest));
+        row.emplace_back(with_error(flow.radiosity));
+        row.emplace_back(with_error(flow.irradiation));
+        row.emplace_back(brief(flow.area, 6));
+        table.rows.push_back(std::move(row));
     }
     if (scene.faces.size() > table.rows.size())
         table.remarks.push_back(fmt::format("{} faces of the largest powers, of {}; all are in heat.csv (--out).",

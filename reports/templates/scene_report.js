@@ -4,15 +4,18 @@
 // chosen in one of them is in all.
 (() => {
   const {faces, polygons, quantities, matrix} = JSON.parse(document.getElementById("data").textContent);
-  const stops = ["440154", "472d7b", "3b528b", "2c728e", "21918c", "28ae80", "5ec962", "addc30", "fde725"]
-    .map(hex => [0, 2, 4].map(at => parseInt(hex.slice(at, at + 2), 16)));  // viridis
+  const rgb = hex => [0, 2, 4].map(at => parseInt(hex.slice(at, at + 2), 16));
+  const sequential = ["440154", "472d7b", "3b528b", "2c728e", "21918c", "28ae80", "5ec962", "addc30", "fde725"]
+    .map(rgb);  // viridis
   const $ = id => document.getElementById(id);
   const style = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
   const number = (value, digits = 5) => value !== 0 && Math.abs(value) < 1e-4
     ? value.toExponential(digits - 1).replace(/\.?0*e/, "e") : Number(value.toPrecision(digits)).toString();
   const withError = (value, error, unit) => `${number(value, 7)}${error > 0 ? ` ± ${number(error, 2)}` : ""} ${unit}`.trim();
 
-  function colour(share, light = 1) {
+  const diverging = ["2166ac", "67a9cf", "d1e5f0", "f7f7f7", "fddbc7", "ef8a62", "b2182b"].map(rgb);  // blue takes up
+
+  function colour(share, light = 1, stops = sequential) {
     const at = Math.min(Math.max(share, 0), 1) * (stops.length - 1);
     const i = Math.min(Math.floor(at), stops.length - 2);
     return `rgb(${stops[i].map((c, k) => Math.round(light * (c + (at - i) * (stops[i + 1][k] - c)))).join()})`;
@@ -104,8 +107,7 @@
     const towards = [ch * ca, ch * sa, sh];
     const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     const scale = size * 0.48 * Math.min(width, tall) / radius;
-    const least = Math.min(...shown.values);
-    const range = Math.max(...shown.values) - least;
+    const scaleOfColours = coloursOf(shown);
     const from = x => x.map((c, k) => c - centre[k]);
     drawn = shapes.map(({face, corners, normal}) => {
       const places = corners.map(from);
@@ -122,7 +124,7 @@
       const behind = face >= 0 && facing <= 1e-9;
       if (!behind) {
         const light = 0.7 + 0.3 * Math.abs(facing);
-        context.fillStyle = face < 0 ? "#8888" : colour(range > 0 ? (shown.values[face] - least) / range : 0.5, light);
+        context.fillStyle = face < 0 ? "#8888" : scaleOfColours.colour(shown.values[face], light);
         context.fill();
       }
       context.globalAlpha = behind ? 0.25 : 0.5;
@@ -132,14 +134,26 @@
       if (!behind || outline || face === chosen) context.stroke();
       context.globalAlpha = 1;
     }
-    drawLegend(least, range);
+    drawLegend(scaleOfColours);
   }
 
-  function drawLegend(least, range) {
+  /** Colours of a quantity: around 0 where it has both signs, one where its values do not differ beyond their errors. */
+  function coloursOf({values, errors}) {
+    const least = Math.min(...values);
+    const most = Math.max(...values);
+    const range = most - least > 2 * Math.max(...errors) ? most - least : 0;
+    if (range > 0 && least < 0 && most > 0) {
+      const largest = Math.max(-least, most);
+      return {least, range, colour: (value, light = 1) => colour(0.5 + 0.5 * value / largest, light, diverging)};
+    }
+    return {least, range, colour: (value, light = 1) => colour(range > 0 ? (value - least) / range : 0.5, light)};
+  }
+
+  function drawLegend({least, range, colour}) {
     const [canvas, text] = $("legend").children;
     const context = canvas.getContext("2d");
     for (let x = 0; x < canvas.width; ++x) {
-      context.fillStyle = colour(range > 0 ? x / canvas.width : 0.5);
+      context.fillStyle = colour(least + range * x / canvas.width);
       context.fillRect(x, 0, 1, canvas.height);
     }
     text.textContent = range > 0 ? `${number(least)} to ${number(least + range)} ${shown.unit}` : `${number(least)} ${shown.unit}`;

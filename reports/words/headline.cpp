@@ -48,9 +48,9 @@ KeyNumber contest_number(const studies::Analysis& findings, const Rivalry& rival
         fmt::format("RMSE of a run {} against {}, {}.", rmse(rivalry.better), rmse(*rivalry.worse), sizes);
     if (!rivalry.ratio) {
         number.value = fmt::format("{}: exact", better);
-        number.detail = fmt::format("Exact to rounding. {}", errors);
+        number.detail = "Exact to rounding.";
     } else if (rivalry.decided()) {
-        number.value = fmt::format("{}: {} × better", better, ratio_text(rivalry));
+        number.value = fmt::format("{}: {} × better than {}", better, ratio_text(rivalry), method(*rivalry.worse));
         number.detail = rivalry.interval ? fmt::format("{}. {}", interval_text(*rivalry.interval), errors) : errors;
     } else {
         number.value = "no difference shown";
@@ -67,7 +67,7 @@ KeyNumber bias_number(const studies::Analysis& findings) {
     KeyNumber number;
     number.label = "biased sampled methods and sizes";
     number.value = fmt::format("{} of {}", tally.found[BiasFinding::biased], tally.sampled);
-    number.detail = fmt::format("A false alarm anywhere: {:g} %", 100 * (1 - findings.plan.spec.level));
+    number.detail = fmt::format("Risk of any false alarm: {:g} %", 100 * (1 - findings.plan.spec.level));
     if (tally.detectable > 0)
         number.detail += fmt::format("; a bias of {} on one pair is found with power {:g}", brief(tally.detectable, 2),
                                      findings.plan.spec.power);
@@ -76,7 +76,7 @@ KeyNumber bias_number(const studies::Analysis& findings) {
     const auto untestable = tally.found[BiasFinding::untestable];
     number.detail += untestable == 0 ? "." : fmt::format("; {} cannot be tested.", untestable);
     if (const auto margin = findings.plan.spec.equivalence_margin)
-        number.detail += fmt::format(" Within ±{} shown on every pair of {}.", brief(*margin, 2), tally.shown);
+        number.detail += fmt::format(" For {} every pair is shown to lie within ±{}.", tally.shown, brief(*margin, 2));
     if (tally.lost_rays) number.detail += fmt::format(" Lost rays: {}.", *tally.lost_rays);
     return number;
 }
@@ -112,8 +112,8 @@ Headline headline(const studies::StudyResults& results) {
     if (const auto slowest = slowest_where_occluded(results)) {
         out.numbers.push_back({fmt::format("{}: {} of {}", slowest->method, slowest->slow, slowest->pairs),
                                "partly occluded pairs slower than random points",
-                               fmt::format("There its error falls more slowly than N^{:g}: what is in between harms it "
-                                           "more than any other method.",
+                               fmt::format("There its error falls more slowly than N^{:g}: occlusion harms it more "
+                                           "than any other method.",
                                            slope_of_random)});
     }
     if (KeyNumber bias = bias_number(results.findings); !bias.value.empty()) out.numbers.push_back(std::move(bias));

@@ -21,6 +21,11 @@ std::string_view unit_of_power(const HeatReport& report) {
     return report.is_light() ? "" : " W";
 }
 
+/// How a sentence about flows that are not trusted begins.
+std::string lead(const HeatReport& report) {
+    return report.trusted ? "" : "NOT to be trusted (see the warnings); as the scene is read, ";
+}
+
 }  // namespace
 
 std::string with_error(const Bounds& bounds, bool is_rounding) {
@@ -65,23 +70,26 @@ std::string heat_verdict(const HeatReport& report) {
     };
     const SolvedCase& worst = *std::ranges::max_element(report.cases, {}, share);
     const Flows& flows = worst.flows;
+    const std::string unit(unit_of_power(report));
     if (flows.are_at_rest())
-        return fmt::format("Nothing is exchanged: every power is 0 within {}{} (the faces emit {}{}).",
-                           brief(flows.worst, 2), unit_of_power(report), brief(flows.emitted, 4),
-                           unit_of_power(report));
+        return lead(report) + fmt::format("{}othing is exchanged: every power is 0 within {}{} (the faces emit {}{}).",
+                                          report.trusted ? "N" : "n", brief(flows.worst, 2), unit,
+                                          brief(flows.emitted, 4), unit);
+    const std::string sources = fmt::format("the {}{} that the sources give off", brief(flows.throughput, 4), unit);
     const std::string of_case =
         report.cases.size() > 1 ? fmt::format(" in the worst case, {}", worst.materials.name) : std::string();
-    return fmt::format("Every power is within {} % of the {}{} that the sources give off{}, all at once at level {:g}.",
-                       brief(100 * share(worst), 2), brief(flows.throughput, 4), unit_of_power(report), of_case,
-                       report.request.level);
+    const std::string at_level = fmt::format("all at once at level {:g}", report.request.level);
+    if (!flows.within(report.tolerance))
+        return lead(report) + fmt::format("{}he tolerance of {} is missed{}: powers are within {} % of {}, {}.",
+                                          report.trusted ? "T" : "t", in_words(report.tolerance), of_case,
+                                          brief(100 * share(worst), 2), sources, at_level);
+    return lead(report) + fmt::format("{}very power is within {} % of {}{}, {}.", report.trusted ? "E" : "e",
+                                      brief(100 * share(worst), 2), sources, of_case, at_level);
 }
 
 std::string heat_effort(const HeatReport& report) {
     if (report.sampled == nullptr || report.sampled->samples == 0) return {};
-    const studies::heat::SampledFlows& sampled = *report.sampled;
-    if (!sampled.even_samples) return fmt::format("{} samples.", thousands_apart(sampled.samples));
-    return fmt::format("{} samples; with one tolerance for all form factors about {} (estimated).",
-                       thousands_apart(sampled.samples), brief(*sampled.even_samples, 2));
+    return fmt::format("{} samples.", thousands_apart(report.sampled->samples));
 }
 
 std::optional<std::string> widened_rows(const HeatReport& report) {

@@ -15,6 +15,8 @@ struct HeatReport {
     const Scene& scene;
     const studies::form_factors::Request& request;
     const std::vector<studies::heat::SolvedCase>& cases;  ///< at least one
+    studies::heat::FlowTolerance tolerance{};
+    bool trusted = true;  ///< nothing speaks against the scene and its form factors
     const studies::heat::SampledFlows* sampled =
         nullptr;  ///< how they were sampled, if samples were taken where flows depend on them
 
@@ -32,7 +34,7 @@ std::string heat_answer(const HeatReport& report);
 /// Where the powers of a case go: to the surroundings, or nowhere in a closed scene, whose powers add up to 0.
 std::string heat_balance(const HeatReport& report, const studies::heat::SolvedCase& solved);
 
-/// The certainty: "Every power is within ..."
+/// The certainty: "Every power is within ...", or that the tolerance is missed, or that nothing is to be trusted.
 std::string heat_verdict(const HeatReport& report);
 
 /// How many samples were taken where flows depend on them; empty where sampling did not depend on flows.

@@ -183,10 +183,10 @@ std::vector<std::string> one_run_errors_in_brief(const studies::StudyResults& re
     const double level = plan.spec.level;
     const std::string range =
         least == most ? fmt::format("{:.3g}", 100 * least) : fmt::format("{:.3g} to {:.3g}", 100 * least, 100 * most);
-    return {
-        fmt::format("If the rays of a set are taken as independent, {:.3g} standard errors of one run hold in {} % of "
-                    "runs and pairs, not {:g} %.",
-                    stats::normal_critical((1 - level) / 2), range, 100 * level)};
+    return {fmt::format(
+        "If the rays of a set are taken as independent, intervals of ±{:.3g} standard errors of one run hold "
+        "the exact value in {} % of runs and pairs, not {:g} %.",
+        stats::normal_critical((1 - level) / 2), range, 100 * level)};
 }
 
 std::string factor_text(const VarianceReduction& reduction) {

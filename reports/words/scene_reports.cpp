@@ -46,7 +46,7 @@ std::string row_warning(const FormFactorReport& report, const std::vector<std::s
 std::vector<std::string> form_factor_warnings(const FormFactorReport& report) {
     const studies::form_factors::Matrix& matrix = report.matrix;
     std::vector<std::string> warnings = matrix.faults;
-    const bool closed = report.scene.closed || report.scene.empty_box;
+    const bool closed = report.scene.closed;
     std::vector<std::size_t> rows;
     for (std::size_t i = 0; closed && i < matrix.rows.size(); ++i) {
         if (matrix.rows[i].excludes_one) rows.push_back(i);

@@ -251,34 +251,84 @@ std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, dou
     return fit_median_rate(ladder, level, draw(ladder, plan));
 }
 
-std::optional<Measured> measured_rmse_rate(std::span<const Rung> ladder, std::span<const Unmet> unmet) {
+namespace {
+
+/// The logarithm of the mean square of each size; empty where one has too few replicates or no error.
+std::optional<std::vector<MeanEvidence>> evidence_of(std::span<const Rung> ladder, std::span<const Unmet> unmet) {
     FF_EXPECT(unmet.size() == ladder.size());
-    if (ladder.size() < 2) return std::nullopt;
-    const auto variance = [](const Rung& rung) {
-        return log_chi_squared_variance(static_cast<double>(rung.replicates()));
-    };
-    double weights = 0;
-    double middle = 0;
-    for (const Rung& rung : ladder) {
-        const double weight = 1 / variance(rung);
-        weights += weight;
-        middle += weight * std::log(rung.size);
-    }
-    middle /= weights;
-    double squares = 0;
-    for (const Rung& rung : ladder) squares += std::pow(std::log(rung.size) - middle, 2) / variance(rung);
-    Measured rate;
+    std::vector<MeanEvidence> means;
     for (std::size_t i = 0; i < ladder.size(); ++i) {
-        const Rung& rung = ladder[i];
-        auto mean = mean_evidence(mean_squares_of(rung), 0);
+        auto mean = mean_evidence(mean_squares_of(ladder[i]), 0);
         if (!mean || mean->difference <= 0) return std::nullopt;
         mean->unmet = unmet[i];
-        const double weight = (std::log(rung.size) - middle) / variance(rung) / squares / 2;
-        if (weight == 0) continue;  // the middle of three
-        rate.value += weight * std::log(mean->difference);
-        rate.parts.push_back({.mean = *mean, .weight = weight, .logarithm = true});
+        means.push_back(*mean);
     }
-    return rate;
+    return means;
+}
+
+/// A line through the sizes of a ladder, but perhaps one: how much each of them weighs in it.
+struct LineWeights {
+    std::vector<double> weights;  ///< 1 / variance; 0 for the size that is left out
+    double sum = 0;
+    double middle = 0;
+    double squares = 0;
+
+    LineWeights(std::span<const Rung> ladder, std::optional<std::size_t> left_out) {
+        for (std::size_t i = 0; i < ladder.size(); ++i) {
+            const double variance = log_chi_squared_variance(static_cast<double>(ladder[i].replicates()));
+            weights.push_back(i == left_out ? 0 : 1 / variance);
+            sum += weights.back();
+            middle += weights.back() * std::log(ladder[i].size);
+        }
+        middle /= sum;
+        for (std::size_t i = 0; i < ladder.size(); ++i)
+            squares += weights[i] * std::pow(std::log(ladder[i].size) - middle, 2);
+    }
+
+    [[nodiscard]] double in_slope(std::size_t i, double size) const {
+        return weights[i] * (std::log(size) - middle) / squares;
+    }
+    [[nodiscard]] double in_value_at(double x, std::size_t i, double size) const {
+        return weights[i] / sum + (x - middle) * in_slope(i, size);
+    }
+};
+
+/// Half the sum of the logarithms of mean squares with these weights, those of root mean squares.
+Measured sum_of_logarithms(const std::vector<MeanEvidence>& means, const std::vector<double>& weights) {
+    Measured sum;
+    for (std::size_t i = 0; i < means.size(); ++i) {
+        const double weight = weights[i] / 2;
+        if (weight == 0) continue;
+        sum.value += weight * std::log(means[i].difference);
+        sum.parts.push_back({.mean = means[i], .weight = weight, .logarithm = true});
+    }
+    return sum;
+}
+
+}  // namespace
+
+std::optional<Measured> measured_rmse_rate(std::span<const Rung> ladder, std::span<const Unmet> unmet) {
+    if (ladder.size() < 2) return std::nullopt;
+    const auto means = evidence_of(ladder, unmet);
+    if (!means) return std::nullopt;
+    const LineWeights line(ladder, std::nullopt);
+    std::vector<double> weights;
+    for (std::size_t i = 0; i < ladder.size(); ++i) weights.push_back(line.in_slope(i, ladder[i].size));
+    return sum_of_logarithms(*means, weights);
+}
+
+double p_of_straight_line(std::span<const Rung> ladder, std::span<const Unmet> unmet) {
+    const auto means = evidence_of(ladder, unmet);
+    if (!means || ladder.size() < 3) return 1;
+    double least = 1;
+    for (std::size_t one = 0; one < ladder.size(); ++one) {
+        const LineWeights others(ladder, one);
+        std::vector<double> weights;
+        for (std::size_t i = 0; i < ladder.size(); ++i)
+            weights.push_back(i == one ? 1 : -others.in_value_at(std::log(ladder[one].size), i, ladder[i].size));
+        least = std::min(least, p_of_equal(Measured{}, sum_of_logarithms(*means, weights)));
+    }
+    return std::min(1.0, least * static_cast<double>(ladder.size()));
 }
 
 double log_chi_squared_variance(double freedom) {

@@ -87,6 +87,10 @@ std::optional<ConvergenceRate> fit_median_rate(std::span<const Rung> ladder, dou
 /// Empty below two sizes, and where a size has too few replicates or no error.
 std::optional<Measured> measured_rmse_rate(std::span<const Rung> ladder, std::span<const Unmet> unmet);
 
+/// P-value of a straight line, by the rule for means: each size is compared with the line through the others
+/// (Bonferroni). 1 below three sizes, and where the rule says nothing. @param unmet  as for measured_rmse_rate
+double p_of_straight_line(std::span<const Rung> ladder, std::span<const Unmet> unmet);
+
 /// Variance of the logarithm of a mean of squares of `freedom` independent standard normals: trigamma(freedom / 2).
 double log_chi_squared_variance(double freedom);
 

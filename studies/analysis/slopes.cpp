@@ -151,11 +151,12 @@ class LadderFit {
         if (ladder_.growth == Growth::samples) slope.expected = expected_rate(method, slope.pair_class, hiding(pairs));
         const auto sizes = rungs(pairs);
         fit(sizes, plan_.spec.level, draws_, slope);
-        if (slope.p && slope.statistic == ErrorSize::rmse) allow_for_skewness(sizes, pairs, slope);
+        if (slope.interval && slope.statistic == ErrorSize::rmse) allow_for_skewness(sizes, pairs, slope);
         return slope;
     }
 
-    /// Where few points may have missed something, whether a slope is as expected also rests on the rule for means.
+    /// What is said of slopes also rests on the rule for means: that one is not straight, that it differs from another
+    /// one, and, where few points may have missed something, that it is not as expected.
     void allow_for_skewness(std::span<const stats::Rung> sizes, std::span<const Quantity> pairs, Slope& slope) const {
         std::vector<stats::Unmet> unmet;
         for (const auto& estimates : estimates_) {
@@ -163,8 +164,13 @@ class LadderFit {
             for (const Quantity pair : pairs) of_pairs.push_back(known_limits(plan_, *estimates, pair).unmet);
             unmet.push_back(unmet_squares(of_pairs, estimates->evaluations_per_face));
         }
-        if (std::ranges::all_of(unmet, [](const stats::Unmet& size) { return size.largest == 0; })) return;
         const auto rate = stats::measured_rmse_rate(sizes, unmet);
+        if (!slope.pair) slope.measured = rate;
+        slope.may_bend = slope.lack_of_fit_p && *slope.lack_of_fit_p < 1 - plan_.spec.level;
+        if (slope.may_bend)
+            slope.lack_of_fit_p = std::max(*slope.lack_of_fit_p, stats::p_of_straight_line(sizes, unmet));
+        const bool met_all = std::ranges::all_of(unmet, [](const stats::Unmet& size) { return size.largest == 0; });
+        if (!slope.p || met_all) return;
         const stats::Measured nearest{
             .value = *slope.slope > slope.slowest_expected ? slope.slowest_expected : slope.expected->rate,
             .parts = {}};

@@ -33,7 +33,10 @@ std::string ladder(const ClaimEvidence& evidence, const std::vector<std::size_t>
     std::vector<std::string> rungs;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const Cell& cell = evidence.findings().plan.cells[cells[i]];
-        const std::string samples = cell.deterministic ? "" : fmt::format(" × {} rays", cell.samples_per_patch);
+        const std::string samples =
+            cell.samples_per_patch == 0
+                ? ""
+                : fmt::format(" × {} {}", cell.samples_per_patch, cell.deterministic ? "evaluations" : "rays");
         const auto patches = cell.subdivision.per_part();
         rungs.push_back(fmt::format("{} at {} {} per face{}", percent(errors[i]), patches,
                                     patches == 1 ? "patch" : "patches", samples));

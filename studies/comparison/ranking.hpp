@@ -42,7 +42,8 @@ struct Ranked {
 double level_of_each(double level, std::size_t rankings);
 
 /// Slopes on a class of pairs, steepest first: of the RMSE or, where one of them has no variance, of the median error
-/// for all. Where no straight line fits, intervals are widened by Slope::misfit. Deterministic methods are left out.
+/// for all. Where a straight line may not fit, intervals are widened by Slope::misfit. Deterministic methods are left
+/// out.
 struct RankedSlopes {
     bool of_median = false;
     std::vector<Ranked> slopes;  ///< Ranked::index into the ladders

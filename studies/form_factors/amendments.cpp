@@ -37,7 +37,7 @@ double closure_defect(const Matrix::Sparse& factors) {
 void expect_surroundings(const Scene& scene, const std::string& name) {
     if (const std::string_view problem = problem_with_name(name); !problem.empty())
         throw UserError("--surroundings '{}' {}", name, problem);
-    if (scene.closed || scene.empty_box)
+    if (scene.closed)
         throw UserError("--surroundings {}: scene '{}' is closed (nothing leaves it). Leave it out.", name, scene.name);
     if (std::find(scene.faces.begin(), scene.faces.end(), name) != scene.faces.end())
         throw UserError("--surroundings {}: scene '{}' has a face of that name. Choose another name.", name,
@@ -143,7 +143,11 @@ RepairedFactors compare_repaired(const Matrix& matrix, Matrix::Sparse repaired, 
 }
 
 void expect_repairable(const Scene& scene) {
-    if (scene.closed || scene.empty_box) return;
+    if (rows_add_up(scene)) return;
+    if (scene.closed)
+        throw UserError(
+            "--repair: scene '{}' has surfaces that belong to no face (its rows need not add up to 1). Leave it out.",
+            scene.name);
     throw UserError(
         "--repair: scene '{}' is not said to be closed (its rows need not add up to 1). Say so in the "
         "scene file ('# closed', 'closed = true' or 'encl=1'), or leave --repair out.",

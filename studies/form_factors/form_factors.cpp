@@ -3,6 +3,7 @@
 #include "core/geometry/joined_surfaces.hpp"
 #include "core/geometry/placement.hpp"
 #include "core/support/error.hpp"
+#include "core/visibility/mirrors.hpp"
 #include "stats/error_rates/multiplicity.hpp"
 #include "studies/form_factors/amendments.hpp"
 #include "studies/form_factors/matrix_builder.hpp"
@@ -214,10 +215,14 @@ std::size_t Matrix::missed() const {
     return static_cast<std::size_t>(std::ranges::count(exchanges, false, &FaceExchange::within));
 }
 
+bool rows_add_up(const Scene& scene) {
+    return scene.closed &&
+           std::ranges::all_of(scene.surfaces, [](const Surface& surface) { return is_of_face(surface); });
+}
+
 bool is_trusted(const Scene& scene, const Matrix& matrix, double tolerance) {
     if (!matrix.faults.empty()) return false;
-    if (!scene.closed && !scene.empty_box) return true;
-    return !leaks(matrix, tolerance) && std::ranges::none_of(matrix.rows, &RowSum::excludes_one);
+    return !scene.closed || (!leaks(matrix, tolerance) && std::ranges::none_of(matrix.rows, &RowSum::excludes_one));
 }
 
 bool leaks(const Matrix& matrix, double tolerance) {
@@ -269,8 +274,9 @@ Matrix find_matrix(const Scene& whole_scene, const Request& request) {
         matrix.left_out = outcome.left_out;
     }
     builder.end(farthest_coordinate(whole_scene) / placement.unit);
-    if ((whole_scene.closed || whole_scene.empty_box) && !matrix.interrupted && matrix.left_out == 0)
-        judge_closure(matrix, lost, request);
+    if (!rows_add_up(whole_scene))
+        for (RowSum& row : matrix.rows) row.off_one = 0;
+    if (whole_scene.closed && !matrix.interrupted && matrix.left_out == 0) judge_closure(matrix, lost, request);
     if (request.drop > 0) drop(matrix, geometry.dropped, request.drop);
     scale_areas(matrix, placement.unit * placement.unit);
     if (matrix.left_out == 0) add_masks(matrix, whole_scene);

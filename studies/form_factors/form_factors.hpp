@@ -117,6 +117,10 @@ struct Matrix {
     [[nodiscard]] std::size_t missed() const;  ///< pairs of faces that are not within the tolerance
 };
 
+/// Whether each row of the true factors adds up to 1: nothing leaves the scene, and all of its surfaces belong to
+/// faces.
+bool rows_add_up(const Scene& scene);
+
 /// Whether the matrix as a whole is plausible: the scene has no fault, and a closed one has no leak and no row that
 /// cannot add up to 1.
 bool is_trusted(const Scene& scene, const Matrix& matrix, double tolerance);

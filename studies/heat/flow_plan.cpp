@@ -33,7 +33,8 @@ class Sensitivity {
         Sparse factors = matrix.factors();
         VectorXd out = VectorXd::Zero(n);
         const VectorXd sums = factors * VectorXd::Ones(n);
-        if (may_see_out(scene))
+        const bool sees_out = !form_factors::rows_add_up(scene);
+        if (sees_out)
             out = (1 - sums.array()).max(0);
         else
             factors = sums.cwiseInverse().asDiagonal() * factors;
@@ -46,7 +47,7 @@ class Sensitivity {
         areas_ = Eigen::Map<const VectorXd>(matrix.areas.data(), n) * scale * scale;
         power_ = areas_.cwiseProduct(radiosity_ - irradiation);
         absorbing_ = areas_.cwiseProduct((1 - laws_.reflected.array()).matrix());
-        find_contrasts(may_see_out(scene));
+        find_contrasts(sees_out);
     }
 
     [[nodiscard]] bool is_known() const { return radiosity_.allFinite(); }
@@ -203,11 +204,10 @@ std::vector<double> scaled(const Sensitivity& sensitivity, const Allocation& all
 
 }  // namespace
 
-std::optional<std::vector<double>> plan_flows(const Scene& scene, const form_factors::Matrix& matrix,
-                                              const Materials& materials, double scale, const FlowTolerance& tolerance,
-                                              double floor) {
+std::optional<FlowPlan> plan_flows(const Scene& scene, const form_factors::Matrix& matrix, const Materials& materials,
+                                   double scale, const FlowTolerance& tolerance, double floor) {
     const Sensitivity sensitivity(scene, matrix, materials, scale);
-    if (!sensitivity.is_known()) return std::nullopt;
+    if (!sensitivity.is_known() || matrix.exchanges.empty()) return std::nullopt;
     const double target = tolerance.power(sensitivity.throughput());
     const Groups groups = groups_of(matrix);
     const std::size_t pairs = matrix.exchanges.size();
@@ -218,9 +218,27 @@ std::optional<std::vector<double>> plan_flows(const Scene& scene, const form_fac
         allocation.most[p] = form_factors::half_width(pair);
         allocation.least[p] = floor * matrix.smaller_area(pair);
     }
+    const auto cost_of = [&](const std::vector<double>& half_widths) {
+        std::vector<double> growths(pairs);
+        for (std::size_t p = 0; p < pairs; ++p) {
+            if (half_widths[p] > 0)
+                growths[p] = std::pow(allocation.most[p] / half_widths[p], growth(matrix.exchanges[p]));
+        }
+        const std::vector<double> growth_of_group = groups.largest(growths);
+        return std::inner_product(groups.samples.begin(), groups.samples.end(), growth_of_group.begin(), 0.);
+    };
+    // One tolerance for all factors comes first. The costs of plans are estimates, and measured ones were often higher:
+    // a plan has to promise half of it.
+    constexpr double worth = 0.5;
+    double widest = 0;  // factor
+    for (std::size_t p = 0; p < pairs; ++p)
+        widest = std::max(widest, allocation.most[p] / matrix.smaller_area(matrix.exchanges[p]));
+    for (std::size_t p = 0; p < pairs; ++p)
+        allocation.shape[p] = has_choice(matrix.exchanges[p]) ? widest * matrix.smaller_area(matrix.exchanges[p]) : 0;
+    std::vector<double> best = scaled(sensitivity, allocation, target);
+    FlowPlan plan{.tolerances = {}, .even = true};
+    double least_cost = worth * cost_of(best);
     VectorXd weights = VectorXd::Ones(sensitivity.absorbing().size());
-    std::vector<double> best;
-    double least_cost = std::numeric_limits<double>::infinity();
     constexpr int rounds = 8;
     for (int i = 0; i < rounds; ++i) {
         const std::vector<double> importance = sensitivity.importance(weights);
@@ -232,60 +250,27 @@ std::optional<std::vector<double>> plan_flows(const Scene& scene, const form_fac
             allocation.shape[p] = share * allocation.most[p];
         }
         const std::vector<double> half_widths = scaled(sensitivity, allocation, target);
-        std::vector<double> growths(pairs);
-        for (std::size_t p = 0; p < pairs; ++p) {
-            if (half_widths[p] > 0) growths[p] = allocation.most[p] / half_widths[p];
-        }
-        const std::vector<double> growth_of_group = groups.largest(growths);
-        const double cost =
-            std::inner_product(groups.samples.begin(), groups.samples.end(), growth_of_group.begin(), 0.);
+        const double cost = cost_of(half_widths);
         if (cost < least_cost) {
             least_cost = cost;
             best = half_widths;
+            plan.even = false;
         }
         const VectorXd widths = sensitivity.widths(half_widths);
         if (!(widths.maxCoeff() > 0)) break;
         weights = weights.cwiseProduct(widths / widths.maxCoeff());
     }
-    if (best.empty()) return std::nullopt;
     for (std::size_t p = 0; p < pairs; ++p) best[p] /= matrix.smaller_area(matrix.exchanges[p]);
+    if (plan.even) {
+        const double narrowest = *std::ranges::max_element(best);
+        plan.tolerances.assign(pairs, narrowest);
+        return plan;
+    }
     // Rays for the widest pair of a face make the others as narrow as they have to be; asked for each, chance would
     // have the pair decide whose pilot was the narrowest.
     const std::vector<double> of_group = groups.largest(best);
-    for (std::size_t p = 0; p < pairs; ++p) best[p] = of_group[groups.of[p]];
-    return best;
-}
-
-std::optional<double> even_samples(const Scene& scene, const form_factors::Matrix& matrix,
-                                   const form_factors::Matrix& first, const Materials& materials, double scale) {
-    const Sensitivity sensitivity(scene, matrix, materials, scale);
-    if (!sensitivity.is_known()) return std::nullopt;
-    std::vector<double> now;
-    std::vector<double> even;  // half widths with a tolerance of 1
-    for (const form_factors::FaceExchange& pair : matrix.exchanges) {
-        now.push_back(has_choice(pair) ? form_factors::half_width(pair) : 0);
-        even.push_back(has_choice(pair) ? matrix.smaller_area(pair) : 0);
-    }
-    const double tolerance = sensitivity.widths(now).maxCoeff() / sensitivity.widths(even).maxCoeff();
-    std::vector<double> growths(now.size());
-    std::vector<double> least(now.size());
-    for (std::size_t p = 0; p < now.size(); ++p) {
-        if (now[p] > 0) growths[p] = std::pow(now[p] / (tolerance * even[p]), growth(matrix.exchanges[p]));
-        least[p] = static_cast<double>(first.exchanges[p].samples);
-    }
-    const Groups groups = groups_of(matrix);
-    const std::vector<double> growth_of_group = groups.largest(growths);
-    const std::vector<double> least_of_group = groups.largest(least);
-    double spent = 0;
-    double needed = 0;
-    for (std::size_t g = 0; g < groups.samples.size(); ++g) {
-        const double samples = groups.samples[g];
-        spent += samples;
-        needed += std::max(samples * growth_of_group[g], std::min(samples, least_of_group[g]));
-    }
-    if (!(spent > 0) || !std::isfinite(needed)) return std::nullopt;
-    // Pilots are in proportion.
-    return static_cast<double>(matrix.samples) * needed / spent;
+    for (std::size_t p = 0; p < pairs; ++p) plan.tolerances.push_back(of_group[groups.of[p]]);
+    return plan;
 }
 
 }  // namespace ff::studies::heat

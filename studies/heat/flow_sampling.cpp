@@ -74,7 +74,6 @@ class FlowSampling {
         if (!best_) std::rethrow_exception(unresolved_);
         best_->matrices = matrices_;
         best_->samples = samples_;
-        if (best_->is_planned) best_->even_samples = even_samples(scene_, best_->matrix, pilot_, materials_, scale_);
         return std::move(*best_);
     }
 
@@ -91,7 +90,6 @@ class FlowSampling {
     FlowTolerance tolerance_;
     FlowTolerance aim_;
     form_factors::Request request_;
-    form_factors::Matrix pilot_;
     std::optional<SampledFlows> best_;
     std::exception_ptr unresolved_;  ///< why there are no flows
     std::size_t matrices_ = 0;
@@ -105,8 +103,8 @@ class FlowSampling {
         try {
             form_factors::Matrix matrix = form_factors::find_matrix(scene_, request_);
             samples_ += matrix.samples;
-            if (matrices_++ == 0) pilot_ = matrix;
-            const bool goes_on = !matrix.interrupted && !keep(matrix);
+            ++matrices_;
+            const bool goes_on = !keep(matrix) && !matrix.interrupted;
             if (goes_on) plan(matrix);
             return goes_on && samples_ < asked_.max_samples;
         } catch (const UserError&) {
@@ -124,7 +122,7 @@ class FlowSampling {
             const double wanted = tolerance_.power(flows.throughput);
             const bool enough = flows.within(tolerance_);
             if (!best_ || worst < best_->flows.worst)
-                best_ = SampledFlows{matrix, std::move(flows), tolerance_, request_.tolerance, matrices_ > 1};
+                best_ = SampledFlows{matrix, std::move(flows), tolerance_, request_.tolerance};
             if (matrices_ > 1 && worst > wanted) aim_.amount *= margin * wanted / worst;
             return enough;
         } catch (const UnresolvedFlows&) {
@@ -135,8 +133,11 @@ class FlowSampling {
 
     void plan(const form_factors::Matrix& matrix) {
         auto plan = plan_flows(scene_, matrix, materials_, scale_, aim_, least_tolerance);
-        if (plan) {
-            set_tolerances(request_, matrix, std::move(*plan));
+        if (plan && plan->even) {
+            request_.tolerance = std::max(least_tolerance, plan->tolerances.front());
+            request_.tolerance_of = {};
+        } else if (plan) {
+            set_tolerances(request_, matrix, std::move(plan->tolerances));
         } else {
             constexpr double finer = 10;
             request_.tolerance = std::max(least_tolerance, request_.tolerance / finer);

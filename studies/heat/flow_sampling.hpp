@@ -15,11 +15,16 @@ struct SampledFlows {
     Flows flows;
     FlowTolerance tolerance;
     double factor_tolerance = 0;  ///< the smallest tolerance of its form factors
-    bool is_planned = false;      ///< the matrix was sampled by a plan: it is not the pilot
     std::size_t matrices = 0;     ///< number of matrices that were sampled, including the pilot
     std::uint64_t samples = 0;    ///< rays and evaluations in cells for all of them
-    /// Estimate of what one tolerance of all form factors would have taken for flows as certain.
-    std::optional<double> even_samples{};
+};
+
+/// Tolerances of a matrix that flows are computed from.
+struct FlowPlan {
+    /// One for each exchange of the matrix that it was made from, as a form factor of the smaller face; 0 for those
+    /// that are exact.
+    std::vector<double> tolerances;
+    bool even = false;  ///< they are all the same
 };
 
 /// Chooses half widths that cost least among those for which the half width of every power is about a tolerance.
@@ -31,18 +36,10 @@ struct SampledFlows {
 /// Lagrange's rule; for all powers together faces are weighted, with more weight for those whose power is known worst,
 /// until that no longer helps.
 /// @param floor  of the half widths
-/// @return for each exchange of the matrix, as a form factor of its smaller face, 0 for those that are exact; empty
-///   where the mean factors determine no flows
-std::optional<std::vector<double>> plan_flows(const Scene& scene, const form_factors::Matrix& matrix,
-                                              const Materials& materials, double scale, const FlowTolerance& tolerance,
-                                              double floor);
-
-/// Estimate of the samples that one tolerance for all form factors would take for powers as certain as those of a
-/// matrix. @param matrix  has been sampled by a plan @param first  an earlier one: no pair takes fewer samples than
-/// there
-/// @return empty where nothing is sampled, or powers do not depend on what is
-std::optional<double> even_samples(const Scene& scene, const form_factors::Matrix& matrix,
-                                   const form_factors::Matrix& first, const Materials& materials, double scale);
+/// Unless they are expected to cost less than half of one tolerance for all factors, the plan is that.
+/// @return empty where the mean factors determine no flows
+std::optional<FlowPlan> plan_flows(const Scene& scene, const form_factors::Matrix& matrix, const Materials& materials,
+                                   double scale, const FlowTolerance& tolerance, double floor);
 
 /// Samples the form factors on which flows depend until every power is within its tolerance: a coarse matrix first,
 /// then matrices by plan_flows, most_matrices in all, each with random numbers of its own. They share the error rate,

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <system_error>
 
 namespace ff::studies::heat {
@@ -51,7 +52,7 @@ FactorBounds factor_bounds(const Scene& scene, const form_factors::Matrix& matri
         if (exchange.from != exchange.to) set_from(exchange.to, exchange.from, matrix.areas[exchange.to]);
     }
     for (Index i = 0; i < n; ++i) {
-        if (!may_see_out(scene)) break;
+        if (form_factors::rows_add_up(scene)) break;
         const form_factors::RowSum& row = matrix.rows[static_cast<std::size_t>(i)];
         set(i, n, 1 - row.high, 1 - row.low);
     }
@@ -90,9 +91,15 @@ PossibleFactors possible_factors(const Scene& scene, const form_factors::Matrix&
     return factors;
 }
 
+/// Whether a face may see out of the scene, by more than the rounding of a row of exact factors.
+bool sees_out(const FactorBounds& factors, Index face) {
+    constexpr double rounding = 1e-12;
+    return factors.high.coeff(face, factors.high.rows()) > rounding;
+}
+
 bool sees_out(const FactorBounds& factors) {
     for (Index i = 0; i < factors.high.rows(); ++i) {
-        if (factors.high.coeff(i, factors.high.rows()) > 0) return true;
+        if (sees_out(factors, i)) return true;
     }
     return false;
 }
@@ -107,11 +114,16 @@ void expect_solvable(const Scene& scene, const FactorBounds& factors, const Face
                 "scene '{}': the form factors of face '{}' cannot add up to 1 (between {:.6g} and {:.6g}, with a "
                 "probability of 0.999999). See the warnings of 'ffstudy form-factors' on this scene.",
                 scene.name, face(i), factors.low.row(i).sum(), factors.high.row(i).sum());
-        if (!materials.surroundings && !materials.are_light() && factors.high.coeff(i, n) > 0)
+        if (materials.surroundings || materials.are_light() || !sees_out(factors, i)) continue;
+        if (factors.low.coeff(i, n) == 0)
             throw UserError(
-                "scene '{}': face '{}' sees out of the scene, or a surface of no face, with {:.3g} "
-                "of its radiation. Give surroundings = a temperature in the materials file.",
+                "scene '{}': face '{}' may see out of the scene, with at most {:.3g} of its radiation. Add --closed "
+                "where it cannot, or give surroundings = a temperature in the materials file.",
                 scene.name, face(i), factors.high.coeff(i, n));
+        throw UserError(
+            "scene '{}': face '{}' sees out of the scene, or a surface of no face, with {:.3g} of its radiation. Give "
+            "surroundings = a temperature in the materials file.",
+            scene.name, face(i), factors.high.coeff(i, n));
     }
     const auto [absorption, cut_off] = find_absorption(factors, laws);
     if (absorption == Absorption::not_reached)
@@ -126,31 +138,60 @@ void expect_solvable(const Scene& scene, const FactorBounds& factors, const Face
                         scene.name, face(cut_off)));
 }
 
-FaceFlow flow_of(const Material& material, double area, Bounds irradiation, const std::string& face) {
+/// An interval that includes the rounding of a few operations. @param size  of the largest number in them
+Bounds rounded(double low, double high, double size) {
+    const double slack = 8 * std::numeric_limits<double>::epsilon() * size;
+    return {low - slack, high + slack};
+}
+
+/// @pre a flux can be absorbed
+FaceFlow flow_of(const Material& material, double area, Bounds irradiation) {
     FaceFlow flow;
     flow.area = area;
     flow.irradiation = irradiation;
-    const double reflected = material.reflected();
+    const double most = std::max(std::abs(irradiation.low), std::abs(irradiation.high));
     if (material.is_light() || material.temperature) {
         const double emitted = emitted_by(material);
-        flow.radiosity = {emitted + reflected * irradiation.low, emitted + reflected * irradiation.high};
-        flow.net = {emitted - (1 - reflected) * irradiation.high, emitted - (1 - reflected) * irradiation.low};
+        const double reflected = material.reflected();
+        const double absorbed = material.absorbed();
+        flow.radiosity = rounded(emitted + reflected * irradiation.low, emitted + reflected * irradiation.high,
+                                 emitted + reflected * most);
+        flow.net = rounded(emitted - absorbed * irradiation.high, emitted - absorbed * irradiation.low,
+                           emitted + absorbed * most);
         if (material.temperature) flow.temperature = {*material.temperature, *material.temperature};
     } else {
         const double flux = *material.flux;
         flow.net = {flux, flux};
-        flow.radiosity = {irradiation.low + flux, irradiation.high + flux};
+        flow.radiosity =
+            flux == 0 ? irradiation : rounded(irradiation.low + flux, irradiation.high + flux, most + std::abs(flux));
         const double more = flux / *material.emissivity;
-        if (irradiation.low + more < 0)
-            throw UserError(
-                "face '{}': flux = {:g} W/m² (it cannot absorb that much: {:.4g} W/m² arrive). "
-                "Give a flux nearer to 0, or a temperature.",
-                face, flux, irradiation.low);
-        flow.temperature = {temperature_of_black_body(irradiation.low + more),
+        // A true irradiation is large enough; the low end of a wide interval need not be.
+        flow.temperature = {temperature_of_black_body(std::max(0.0, irradiation.low + more)),
                             temperature_of_black_body(irradiation.high + more)};
     }
     flow.power = {flow.net.low * area, flow.net.high * area};
     return flow;
+}
+
+/// @throws UserError where a face is to absorb more than arrives, whatever the form factors
+void expect_absorbable(const Scene& scene, const Materials& materials, const IrradiationBounds& irradiation) {
+    double least = 0;
+    std::size_t worst = 0;
+    for (std::size_t i = 0; i < materials.faces.size(); ++i) {
+        const Material& material = materials.faces[i];
+        // Where too much is taken away elsewhere, even adiabatic faces would have negative irradiations.
+        if (!material.flux || *material.flux >= 0) continue;
+        const double black = irradiation.high[static_cast<Index>(i)] + *material.flux / *material.emissivity;
+        if (black >= least) continue;
+        least = black;
+        worst = i;
+    }
+    if (least == 0) return;
+    const Material& material = materials.faces[worst];
+    throw UserError(
+        "face '{}': flux = {:g} W/m² (it can absorb at most {:.4g} W/m²). Give a flux nearer to 0, or a temperature.",
+        scene.faces[worst], *material.flux,
+        *material.emissivity * std::max(0.0, irradiation.high[static_cast<Index>(worst)]));
 }
 
 void operator+=(Bounds& sum, const Bounds& more) {
@@ -225,16 +266,11 @@ FaceLaws laws_of(const Materials& materials) {
     return laws;
 }
 
-bool may_see_out(const Scene& scene) {
-    return !scene.closed || std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
-                                        [](const Surface& surface) { return surface.face == no_face; });
-}
-
 bool Flows::are_at_rest() const {
     constexpr double rounding = 1e-9;
     return std::all_of(faces.begin(), faces.end(), [&](const FaceFlow& face) {
         const auto [low, high] = face.power;
-        return low <= 0 && high >= 0 && std::max(-low, high) <= rounding * emitted;
+        return low <= 0 && high >= 0 && std::max(-low, high) <= rounding * exchanged;
     });
 }
 
@@ -243,18 +279,20 @@ Flows find_flows(const Scene& scene, const form_factors::Matrix& matrix, const M
     const FaceLaws laws = laws_of(materials);
     expect_solvable(scene, factors, laws, materials);
     const IrradiationBounds irradiation = bound_irradiation(factors, laws);
+    expect_absorbable(scene, materials, irradiation);
     Flows found;
     found.widened = widened;
     Bounds sum;
     for (std::size_t i = 0; i < matrix.faces(); ++i) {
         const auto row = static_cast<Index>(i);
         const double area = matrix.areas[i] * scale * scale;
-        const FaceFlow& flow = found.faces.emplace_back(
-            flow_of(materials.faces[i], area, {irradiation.low[row], irradiation.high[row]}, scene.faces[i]));
+        const FaceFlow& flow =
+            found.faces.emplace_back(flow_of(materials.faces[i], area, {irradiation.low[row], irradiation.high[row]}));
         sum.low += flow.power.low;
         sum.high += flow.power.high;
         found.throughput += std::max(0.0, flow.power.middle());
         found.emitted += std::max(0.0, laws.emitted[row]) * area;
+        found.exchanged += std::max(0.0, flow.radiosity.high) * area;
         found.worst = std::max(found.worst, flow.power.half_width());
     }
     found.balance = sum;
@@ -281,11 +319,11 @@ std::vector<GebhartFactor> find_gebhart_factors(const Scene& scene, const form_f
     for (std::size_t to = 0; to < columns; ++to) {
         Eigen::VectorXd absorbed = Eigen::VectorXd::Zero(n);
         const auto column = static_cast<Index>(to);
-        if (column < n) absorbed[column] = 1 - laws.reflected[column];
+        if (column < n) absorbed[column] = materials.faces[to].absorbed();
         const IrradiationBounds share = bounds.irradiation(absorbed, column < n ? 0 : 1);
         for (Index from = 0; from < n; ++from) {
             const Bounds gebhart{std::clamp(share.low[from], 0.0, 1.0), std::clamp(share.high[from], 0.0, 1.0)};
-            const double emissivity = 1 - laws.reflected[from];
+            const double emissivity = materials.faces[static_cast<std::size_t>(from)].absorbed();
             found[static_cast<std::size_t>(from) * columns + to] = {
                 static_cast<std::size_t>(from), to, gebhart, {emissivity * gebhart.low, emissivity * gebhart.high}};
         }

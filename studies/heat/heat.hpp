@@ -71,11 +71,12 @@ struct Flows {
     bool reaches_outside = false;      ///< what the balance leaves is for the surroundings; otherwise it is 0
     double throughput = 0;             ///< W: all that the faces give off, at the middles
     double emitted = 0;                ///< W: what they emit, before any of it is reflected or comes back
+    double exchanged = 0;              ///< W: what leaves them at most, emitted and reflected
     double worst = 0;                  ///< W: largest half width of a power
     std::vector<std::size_t> widened;  ///< faces whose factors could add up to 1 in wider intervals only
 
     /// Nothing is exchanged, up to rounding, as between faces of one temperature: no power is shown to differ from 0,
-    /// and none can do so by more than a billionth of what is emitted.
+    /// and none can do so by more than a billionth of what leaves the faces.
     [[nodiscard]] bool are_at_rest() const;
     [[nodiscard]] bool within(const FlowTolerance& tolerance) const {
         return worst <= tolerance.power(throughput) || are_at_rest();
@@ -100,9 +101,6 @@ struct SolvedCase {
 
 /// How radiosities follow from irradiations, in W/m².
 FaceLaws laws_of(const Materials& materials);
-
-/// Whether rows of the true factors may add up to less than 1: the scene is open, or has surfaces of no face.
-bool may_see_out(const Scene& scene);
 
 /// Solves the radiosity system of grey diffuse faces for all form factors within their intervals
 /// (core/radiosity/flow_bounds.hpp). Where the sampled factors of a face cannot add up to 1, as may happen in a share

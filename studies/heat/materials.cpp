@@ -75,7 +75,9 @@ Material read_material(const TomlReader& reader, bool may_be_said, Material mate
            "(missing; for light give reflectance). Write it like emissivity = 0.8.");
     expect(!material.emission, reader, "emission", "(that of heat follows from the temperature). Leave it out.");
     expect(!material.emissivity || is_emissivity(*material.emissivity), reader, "emissivity",
-           "(from 1e-9 to 1). A mirror is no grey diffuse face; for one that reflects nearly all write 1e-3.");
+           material.emissivity.value_or(0) > 1 ? "(from 1e-9 to 1). Write it like 0.8."
+                                               : "(from 1e-9 to 1). A mirror is no grey diffuse face; for one that "
+                                                 "reflects nearly all write 1e-3.");
     expect(material.temperature.has_value() != material.flux.has_value(), reader, "temperature",
            material.temperature ? "(a face has a temperature or a flux, not both). Leave one out."
                                 : "(neither temperature nor flux is given). Give one; flux = 0 is adiabatic.");
@@ -98,6 +100,8 @@ std::vector<Entry> read_entries(const TomlReader& reader, bool may_be_said, std:
     const auto table = reader.optional_table("materials");
     if (!table) return entries;
     for (const std::string& name : table->keys()) {
+        if (!table->find(name)->is_table())
+            table->fail(name, "(expected the properties of a face). Write it like { emissivity = 0.8, flux = 0 }.");
         const auto changes = table->optional_table(name);
         const auto known = std::ranges::find(entries, name, &Entry::name);
         if (known == entries.end())

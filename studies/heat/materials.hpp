@@ -20,6 +20,8 @@ struct Material {
 
     [[nodiscard]] bool is_light() const { return reflectance.has_value(); }
     [[nodiscard]] double reflected() const { return is_light() ? *reflectance : 1 - *emissivity; }
+    /// Share of the irradiation. (1 - reflected() would keep only the first digits of a small emissivity.)
+    [[nodiscard]] double absorbed() const { return is_light() ? 1 - *reflectance : *emissivity; }
 };
 
 /// Faces whose powers are added up.

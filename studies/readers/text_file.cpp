@@ -86,6 +86,13 @@ void mark_store(std::string_view bytes, Marks& marks) {
     if (has(bytes, "CREATE TABLE rows(face")) marks.insert(FileKind::kept_rows);
 }
 
+/// The header of a table of estimates: trials, means, hits, counts or shares of quantities.
+bool is_table_header(std::string_view line) {
+    constexpr std::array<std::string_view, 5> values{"estimate", "mean", "count", "share", "hits"};
+    return !has(line, "=") && has(line, "quantity") && has(line, ",") &&
+           std::ranges::any_of(values, [&](std::string_view value) { return has(line, value); });
+}
+
 void mark_lines(std::string_view text, Marks& marks) {
     bool is_first = true;
     for_each_line(text, [&](std::uint64_t, std::string_view line) {
@@ -96,16 +103,9 @@ void mark_lines(std::string_view text, Marks& marks) {
             if (words[0] == heading) marks.insert(kind);
         }
         if (begins_geometry(words)) marks.insert(FileKind::scene);
-        const std::string_view first = words[0];
-        if (heads && words.size() <= 3 && !has(first, "=") && has(first, "trial") &&
-            has(text.substr(0, text.find('\n')), "estimate"))
-            marks.insert(FileKind::estimates);
+        if (heads && is_table_header(line)) marks.insert(FileKind::estimates);
+        if (heads && words[0] == "solid") marks.insert(FileKind::scene);
     });
-}
-
-bool is_table_header(std::string_view line) {
-    return !has(line, "=") && has(line, "quantity") &&
-           (has(line, "estimate") || has(line, "mean") || has(line, "count") || has(line, "share"));
 }
 
 Marks marks_of(std::string_view bytes) {

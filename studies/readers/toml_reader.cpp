@@ -175,7 +175,8 @@ std::optional<double> TomlReader::optional_number(std::string_view key) const {
     const toml::node* node = find(key);
     if (node == nullptr) return std::nullopt;
     const auto value = node->value<double>();
-    if (!value || !node->is_number() || !std::isfinite(*value)) fail(key, "(not a finite number). Write it like 1e-4.");
+    if (!value || !node->is_number() || !std::isfinite(*value))
+        fail(key, "(not a finite number). Write it like 0.5 or 1e-4.");
     return *value;
 }
 

@@ -94,7 +94,7 @@ class ObjReader {
         if (up_ != up_in_scenes) builder_.remark("its {} axis, which points up, becomes the z axis", up_);
         Scene scene = placed(builder_.finish(closed_, &materials_), {Eigen::Vector3d::Zero(), 1 / scale_});
         materials_.resize(scene.faces.size());
-        return {std::move(scene), std::move(materials_)};
+        return {std::move(scene), std::move(materials_), scale_};
     }
 
   private:

@@ -32,7 +32,7 @@ SceneWithMaterials scene_without_mirrors(const SceneSource& source) {
     if (!source.zone.empty() && !names_energyplus(name))
         throw UserError("zone '{}': '{}' is no input file of EnergyPlus (others have no zones). Leave it out.",
                         source.zone, name);
-    if (!source.is_file()) return {built_in_scene(name), {}};
+    if (!source.is_file()) return {built_in_scene(name), {}, 1};
     if (!source.text) {
         throw UserError("scene '{}' (scene files can be named by study and tables files only). Take cube or box:AxBxC.",
                         name);

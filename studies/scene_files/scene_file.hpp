@@ -72,6 +72,7 @@ struct FaceMaterial {
 struct SceneWithMaterials {
     Scene scene;
     std::vector<FaceMaterial> materials;  ///< one for each face, in their order; empty where the file has none
+    double scale = 1;                     ///< that lengths were multiplied by, as the file requests
 };
 
 /// A built-in scene, or one from a file whose text is included.

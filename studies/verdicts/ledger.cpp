@@ -53,10 +53,11 @@ std::string ledger_csv(const Ledger& ledger) {
 NextLook next_look(const Ledger& ledger, const LedgerLook& look) {
     NextLook next;
     for (const LedgerLook& earlier : ledger) {
-        if (earlier.commit != look.commit || earlier.bands != look.bands) continue;
+        if (earlier.commit != look.commit) continue;
         ++next.number;
         next.failed = next.failed || earlier.verdict == Verdict::fail;
-        if (earlier.data != look.data) continue;
+        next.changed = earlier.bands != look.bands;
+        if (next.changed || earlier.data != look.data) continue;
         next.repeated = true;
         next.earlier = earlier.verdict;
     }

@@ -29,9 +29,12 @@ std::string ledger_csv(const Ledger& ledger);
 struct NextLook {
     std::size_t number = 1;  ///< 1 for the first
     bool failed = false;     ///< an earlier look failed: its risk is spent, and no later look can undo it
-    bool repeated = false;   ///< the same data were judged before
+    bool changed = false;    ///< the bands were others at the last look
+    bool repeated = false;   ///< the same data were judged before, with the same bands
     Verdict earlier = Verdict::inconclusive;  ///< verdict on the same data
 };
+/// All looks at a commit count together, also those with other bands: otherwise any change of the file would begin
+/// alpha anew.
 NextLook next_look(const Ledger& ledger, const LedgerLook& look);
 
 /// A look's share of both alphas, by the file's `spending`: shares of all looks add up to at most 1, so that the risk

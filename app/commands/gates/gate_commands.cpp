@@ -144,6 +144,9 @@ Verdict judge_again(CheckSession& session) {
                                   look.commit, file.string(), name(next.earlier)));
         return next.earlier;
     }
+    if (next.changed)
+        session.print(fmt::format("{} has changed since the last look; all looks at a commit share alpha.\n",
+                                  session.command.bands.string()));
     const double alpha = session.spec.alpha;
     session.spec = studies::gates::at_look(session.spec, next.number);
     session.print(

@@ -67,12 +67,11 @@ std::string slopes_in_words(const StudyResults& results, std::size_t method) {
     const Slopes hidden = slopes_of(scenes_where(results, is_partly_hidden), method);
     if (hidden.values.empty()) return {};
     return fmt::format(
-        "{}: the error falls with slope {}{} where something hides a part (median {:.2f}), slower than "
+        "{}: the error falls with slope {}{} where a part is occluded (median {:.2f}), slower than "
         "random points' {:.1f} in {} of {} cases.",
         results.findings.plan.spec.methods[method].name,
-        open.values.empty() ? "" : fmt::format("{} with nothing in between, ", range(open.values)),
-        range(hidden.values), hidden.values[hidden.values.size() / 2], slope_of_random, hidden.flat,
-        hidden.values.size());
+        open.values.empty() ? "" : fmt::format("{} unoccluded, ", range(open.values)), range(hidden.values),
+        hidden.values[hidden.values.size() / 2], slope_of_random, hidden.flat, hidden.values.size());
 }
 
 std::string share(double hidden) {
@@ -83,7 +82,7 @@ std::string share(double hidden) {
 std::string winner(const StudyResults& results, const HiddenPair& scene) {
     if (!scene.least) return "all are exact";
     const std::string& name = results.findings.plan.spec.methods[*scene.least].name;
-    return scene.decided ? name : fmt::format("{} (not shown)", name);
+    return scene.decided ? name : fmt::format("{} (not significantly)", name);
 }
 
 /// The methods that are shown to have the smallest error in some scene, with the number of scenes, the most first.
@@ -146,15 +145,15 @@ std::string occlusion_advice(const StudyResults& results) {
     const auto best = most_wins(results, hidden);
     const auto best_open = most_wins(results, open);
     std::string text = best.empty()
-                           ? fmt::format("where something is in between, no method is shown to err least on any of {}",
+                           ? fmt::format("where a part is occluded, no method is shown to err least on any of {}",
                                          counted(hidden.size(), "pair"))
                            : fmt::format(
-                                 "take {} where something is in between: at about equal evaluations it errs least on "
+                                 "take {} where a part is occluded: at about equal evaluations it errs least on "
                                  "{} of {}",
                                  best.front().first, best.front().second, counted(hidden.size(), "pair"));
     if (best.size() > 1) text += fmt::format(", {} on {}", best[1].first, best[1].second);
     if (!best_open.empty() && (best.empty() || best_open.front().first != best.front().first))
-        text += fmt::format("; where nothing is ({}), take {}", counted(open.size(), "pair"), best_open.front().first);
+        text += fmt::format("; unoccluded ({}), take {}", counted(open.size(), "pair"), best_open.front().first);
     return text;
 }
 
@@ -178,7 +177,7 @@ std::string occlusion_clause(const StudyResults& results) {
     if (hidden.empty()) return {};
     return fmt::format("with about the same number of evaluations, the smallest errors are those of {}{}",
                        tell(hidden, "partly occluded pair"),
-                       open.empty() ? "" : fmt::format("; with nothing in between, {}", tell(open, "pair")));
+                       open.empty() ? "" : fmt::format("; unoccluded, {}", tell(open, "pair")));
 }
 
 }  // namespace ff::reports

@@ -226,7 +226,8 @@ void rank_errors_of_class(const StudyResults& results, Ranking& ranking, double 
         ranking.said = fmt::format(" {} {}", best.names.front(), ranking.margin);
     } else if (best.one()) {
         set_margin(findings, ranked[0], ranked[1], ranking);
-        ranking.said = fmt::format(" {} has the smallest error, {} times smaller than {} ({})", best.names.front(),
+        ranking.said = fmt::format(" {} has the smallest error{}, {} times smaller than {} ({})", best.names.front(),
+                                   results.published ? " of the published methods" : "",
                                    times_smaller(ranked[0], ranked[1]), ranking.methods[1].label, rmse);
     } else {
         ranking.said = fmt::format(" {} ({})", best.tied("have the smallest errors"), rmse);

@@ -81,6 +81,10 @@ bool is_inside(const BinEffects& effects, std::size_t index, double pass_alpha, 
         const stats::Interval passing = stats::share_difference_interval(counts, reference, 1 - 2 * pass_alpha);
         return bin.band.low < passing.low && passing.high < bin.band.high;
     }
+    if (!effects.means.empty()) {
+        const stats::Interval passing = stats::interval_of(effects.means[index], 1 - 2 * pass_alpha);
+        return bin.band.low < passing.low && passing.high < bin.band.high;
+    }
     if (scale != EffectScale::difference) {
         const bool under = std::isinf(bin.band.high) || p_below(bin, scale, bin.band.high) <= pass_alpha;
         return under && p_above(bin, scale, bin.band.low) <= pass_alpha;
@@ -158,6 +162,11 @@ double p_value(const BinEffects& effects, std::size_t index) {
     const BinEffect& bin = effects.bins[index];
     if (bin.band.holds(bin.value) || bin.freedom == 0) return 1;
     const bool above = bin.value > bin.band.high;
+    if (!effects.means.empty()) {
+        stats::MeanEvidence beyond = effects.means[index];
+        beyond.difference = bin.value - (above ? bin.band.high : bin.band.low);
+        return stats::test_mean(beyond).p;
+    }
     double one_sided = 0;
     switch (effects.scale) {
         case EffectScale::difference:
@@ -189,6 +198,7 @@ Measurement measure_bin(const BinEffects& effects, std::size_t index, const Leve
         if (scale == EffectScale::difference_of_shares)
             return stats::share_difference_interval(effects.shares[index].counts, effects.shares[index].reference,
                                                     level);
+        if (!effects.means.empty()) return stats::interval_of(effects.means[index], level);
         stats::Interval interval;
         interval.level = level;
         interval.n = n;
@@ -208,10 +218,10 @@ Measurement measure_bin(const BinEffects& effects, std::size_t index, const Leve
     Measurement m = measured_at(bin.value, levels, interval_at);
     const bool upwards = std::isfinite(bin.band.high);
     const double power = stats::normal_critical(1 - levels.power);
-    if (scale == EffectScale::difference) {
+    if (scale == EffectScale::difference && effects.means.empty()) {
         const double reach = critical(std::max(1.0, bin.freedom), levels.fail_alpha / 2) + power;
         m.minimum_detectable = bin.band.high + reach * bin.error;
-    } else if (scale == EffectScale::difference_of_shares) {
+    } else if (effects.are_differences()) {
         m.minimum_detectable = bin.band.high + (bin.value - m.failing.low) + power * bin.error;
     } else {
         const double log_error = std::sqrt(2 / bin.freedom + 2 / bin.freedom_below);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "stats/means/mean_test.hpp"
 #include "stats/shares/share_test.hpp"
 #include "studies/verdicts/gate.hpp"
 #include "studies/verdicts/gate_result.hpp"
@@ -38,7 +39,10 @@ struct SharePair {
 struct BinEffects {
     EffectScale scale = EffectScale::difference;
     std::vector<BinEffect> bins;
-    std::vector<SharePair> shares;   ///< one for each bin, for differences of shares only
+    std::vector<SharePair> shares;  ///< one for each bin, for differences of shares only
+    /// One for each bin, for differences that rest on the spread between runs: these are judged by the rule for means,
+    /// which allows for skewness. Otherwise empty.
+    std::vector<stats::MeanEvidence> means = {};
     std::optional<double> together;  ///< p-value of all bins by their covariance; empty where they are independent
 
     [[nodiscard]] bool are_differences() const {

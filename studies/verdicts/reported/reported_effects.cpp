@@ -2,7 +2,9 @@
 
 #include "stats/basics/distributions.hpp"
 #include "stats/dependence/correlation.hpp"
+#include "stats/means/mean_test.hpp"
 #include "studies/verdicts/reported/reported_bins.hpp"
+#include "studies/verdicts/reported/reported_faults.hpp"
 #include "studies/verdicts/reported/reported_gates.hpp"
 #include "studies/verdicts/reported/shares_and_spreads.hpp"
 
@@ -24,80 +26,35 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
                                   bins.name(bin), bins.file->origin));
 }
 
-// Common mistakes of codes in reporting a mean and its error, recognised by the size of the discrepancy. Hints, never
-// verdicts: a sentence with a full stop, empty where nothing fits.
-
-/// Wide enough for the chance of a hundred runs, narrow enough to name a single factor.
-bool is_near(double a, double b) {
-    return a > 0 && b > 0 && std::abs(std::log(a / b)) < 0.15;
+/// A mean of runs, as far as their skewness and that of the mean of stated errors, which are taken for normal, is
+/// known.
+/// @param mean  of these runs
+stats::MeanEvidence evidence_of(Rows runs, const MeanReference& mean) {
+    std::vector<double> values;
+    for (const ReportedRow& run : runs) values.push_back(run.mean);
+    if (runs.size() >= enough_runs) {
+        if (const auto evidence = stats::mean_evidence(values, 0)) return *evidence;
+    }
+    return {.difference = mean.value,
+            .standard_error = mean.standard_error,
+            .freedom = mean.freedom,
+            .skewness = {.most = stats::no_part},
+            .method = {},
+            .n = runs.size()};
 }
 
-/// Below this n the factors n and sqrt(n) are within reach of ordinary faults.
-constexpr double least_n = 10;
-
-double sum_of_sizes(Rows rows) {
+/// Degrees of freedom of a sum of the squares of stated errors [welch1947]; infinite where nobody says of how many
+/// values they are.
+double freedom_of_stated(Rows runs) {
     double sum = 0;
-    for (const ReportedRow& row : rows) sum += std::abs(row.mean);
-    return sum;
-}
-
-/// @param ratio  spread of means between runs over the errors stated    @param error  a typical one as stated
-/// @param n      samples behind a mean; 0 where not stated
-std::string fault_of_errors(double ratio, double error, double n) {
-    if (ratio > 0.5 && ratio < 2) return {};
-    if (n >= least_n && is_near(ratio, 1 / std::sqrt(n)))
-        return fmt::format(
-            " They are about sqrt(n) = {:.3g} times too large: standard deviations of single samples, "
-            "probably.",
-            std::sqrt(n));
-    if (n >= least_n && is_near(ratio, std::sqrt(n)))
-        return fmt::format(" They are about sqrt(n) = {:.3g} times too small: divided by sqrt(n) twice, probably.",
-                           std::sqrt(n));
-    if (n >= least_n && is_near(ratio, 1 / n))
-        return fmt::format(" They are about n = {:.3g} times too large: errors of sums rather than of means, probably.",
-                           n);
-    if (is_near(error, error * ratio * (error * ratio)))
-        return " They are about the squares of what they should be: variances, probably.";
-    return ratio > 1 ? " Correlated batches are a common cause." : "";
-}
-
-/// Sums instead of means: one file's values are n times the other's, in all bins together.
-/// @pre rows of the same bins in the same order; `against` may have one row only
-std::string fault_of_means(Rows rows, Rows against) {
-    if (rows.empty() || rows.front().n < least_n) return {};
-    const double n = rows.front().n;
-    const double part = static_cast<double>(against.size()) / static_cast<double>(rows.size());
-    const double ratio = sum_of_sizes(rows) / sum_of_sizes(against) * part;
-    constexpr double close = 0.05;
-    if (std::abs(ratio / n - 1) < close)
-        return fmt::format(" The values are n = {:g} times the reference: sums instead of means, probably.", n);
-    if (std::abs(ratio * n - 1) < close)
-        return fmt::format(
-            " The values are the reference over n = {:g}: divided by n twice, or a reference that is a "
-            "sum, probably.",
-            n);
-    return {};
-}
-
-/// Variances instead of standard errors in one of two files.
-std::string fault_between_errors(Rows rows, Rows against) {
-    if (rows.size() != against.size()) return {};
-    const auto are_squares = [](Rows small, Rows large) {
-        std::size_t squares = 0;
-        std::size_t alike = 0;
-        std::size_t all = 0;
-        for (std::size_t i = 0; i < small.size(); ++i) {
-            if (small[i].standard_error == 0 || large[i].standard_error == 0) continue;
-            ++all;
-            alike += std::abs(std::log(small[i].standard_error / large[i].standard_error)) < 1 ? 1u : 0u;
-            squares +=
-                std::abs(std::log(small[i].standard_error) - 2 * std::log(large[i].standard_error)) < 0.5 ? 1u : 0u;
-        }
-        return all > 0 && squares == all && alike == 0;
-    };
-    if (are_squares(rows, against) || are_squares(against, rows))
-        return " The errors of one file are the squares of the other's: variances given as standard errors, probably.";
-    return {};
+    double parts = 0;
+    for (const ReportedRow& run : runs) {
+        if (run.n <= 0) return infinity;
+        const double square = run.standard_error * run.standard_error;
+        sum += square;
+        if (square > 0) parts += square * square / (run.n - 1);
+    }
+    return parts > 0 ? sum * sum / parts : infinity;
 }
 
 /// The effect a - b, with its standard error and degrees of freedom by Welch and Satterthwaite.
@@ -125,6 +82,7 @@ void expect_scatter_as_stated(BinComparison& comparing, const Bins& bins) {
     double ratios = 0;
     double errors = 0;
     double judged = 0;
+    double freedom = infinity;
     for (std::size_t bin = 0; bin < bins.count(); ++bin) {
         const Rows runs = bins.runs_of(bin);
         double mean = 0;
@@ -134,6 +92,7 @@ void expect_scatter_as_stated(BinComparison& comparing, const Bins& bins) {
             stated += run.standard_error * run.standard_error / static_cast<double>(runs.size());
         }
         if (stated == 0) continue;
+        freedom = std::min(freedom, freedom_of_stated(runs));
         double squares = 0;
         for (const ReportedRow& run : runs) squares += (run.mean - mean) * (run.mean - mean);
         ratios += squares / static_cast<double>(runs.size() - 1) / stated;
@@ -142,8 +101,7 @@ void expect_scatter_as_stated(BinComparison& comparing, const Bins& bins) {
     }
     if (judged == 0) return;
     const double n = bins.rows[0].n;
-    const auto runs = static_cast<double>(bins.runs);
-    const double p = stats::fisher_tail(ratios / judged, runs - 1, n > 1 ? runs * (n - 1) : infinity);
+    const double p = stats::fisher_tail(ratios / judged, static_cast<double>(bins.runs) - 1, freedom);
     if (p >= false_alarm_of_scatter) return;
     comparing.contradicted = true;
     const double ratio = std::sqrt(ratios / judged);
@@ -158,6 +116,7 @@ void compare_means(BinComparison& comparing, const Bins* against) {
     const Gate& gate = comparing.gate;
     const MeanReference number{gate.reference.value_or(0), gate.reference_se.value_or(0), infinity};
     comparing.effects.bins.reserve(comparing.bins.count());
+    const bool by_runs = comparing.bins.runs >= enough_runs || (against != nullptr && against->runs >= enough_runs);
     for (std::size_t bin = 0; bin < comparing.bins.count(); ++bin) {
         const MeanReference own = mean_of(comparing.bins.runs_of(bin));
         const MeanReference reference = against != nullptr ? mean_of(against->runs_of(bin)) : number;
@@ -169,6 +128,14 @@ void compare_means(BinComparison& comparing, const Bins* against) {
         effect.name = static_cast<std::uint32_t>(bin);
         effect.band = band_beside(comparing, bin, reference.value);
         comparing.effects.bins.push_back(effect);
+        if (!by_runs) continue;
+        stats::MeanEvidence evidence = evidence_of(comparing.bins.runs_of(bin), own);
+        evidence.difference -= reference.value;
+        const auto other = against != nullptr ? evidence_of(against->runs_of(bin), reference) : stats::MeanEvidence{};
+        comparing.effects.means.push_back(
+            against != nullptr
+                ? stats::with_uncertain_reference(evidence, other.standard_error, other.freedom, other.skewness)
+                : stats::with_uncertain_reference(evidence, number.standard_error, number.freedom));
     }
     if (!gate.covariance.empty() && !comparing.effects.bins.empty())
         comparing.effects.together = p_by_covariance(gate, comparing.bins, comparing.effects.bins);
@@ -291,7 +258,7 @@ MeanReference mean_of(Rows runs) {
     }
     for (const ReportedRow& run : runs) squares += run.standard_error * run.standard_error;
     mean.standard_error = std::sqrt(squares) / n;
-    if (runs.front().n > 0) mean.freedom = n * (runs.front().n - 1);
+    mean.freedom = freedom_of_stated(runs);
     return mean;
 }
 

@@ -164,7 +164,11 @@ void compare_efficiencies(BinComparison& comparing, const Bins& against) {
                                     "how many values?). Add it.",
                                     bins->file->origin));
     }
-    const bool by_cost = comparing.bins.file->has_cost && against.file->has_cost;
+    const bool by_cost = comparing.bins.file->has_cost;
+    if (by_cost != against.file->has_cost)
+        refuse_gate(comparing.gate, fmt::format("kind = \"efficiency\": only {} has the column 'cost'. Give it in both "
+                                                "files, or in neither to count values.",
+                                                (by_cost ? comparing.bins : against).file->origin));
     comparing.effects.scale = EffectScale::ratio_of_variances;
     const auto inverse = [&](const ReportedRow& row) {
         return row.standard_error * row.standard_error * (by_cost ? row.cost : row.n);
@@ -179,8 +183,11 @@ void compare_efficiencies(BinComparison& comparing, const Bins& against) {
         comparing.add_ratio(bin, inverse(other) / inverse(own), freedom_of_variance(comparing.gate, other.n),
                             freedom_of_variance(comparing.gate, own.n));
     }
-    add_note(comparing.note, by_cost ? "1 / (error² × cost), of the file over --against; seconds depend on the machine"
-                                     : "1 / (error² × n), of the file over --against");
+    add_note(
+        comparing.note,
+        by_cost
+            ? "1 / (error² × cost), of the file over --against; costs count as exact, and seconds depend on the machine"
+            : "1 / (error² × n), of the file over --against");
     add_note(comparing.note, about_samples(comparing.gate));
 }
 

@@ -174,6 +174,36 @@ TEST(RmseRate, ShowsLackOfFitForAChangingRate) {
     EXPECT_GT(found, 80u);
 }
 
+// Of 300 straight ladders at 5 %, more than 30 are called bent with probability 2e-4; by chi-squared, 90 of these are.
+// A bias that random errors fall below is found in at least 80 of 100 ladders, as by chi-squared.
+TEST(StraightLine, HoldsForSkewedErrors) {
+    std::mt19937_64 engine(7);
+    std::lognormal_distribution<double> law(0, 1);
+    const double mean = std::exp(0.5);
+    const std::vector<Unmet> unmet(5);
+    int bent = 0;
+    int bent_by_chi_squared = 0;
+    for (std::uint32_t run = 0; run < 300; ++run) {
+        auto rungs = ladder(0, law, engine);
+        for (Rung& rung : rungs) {
+            for (double& error : rung.errors) error = (error - mean) / std::sqrt(rung.size);
+        }
+        bent += p_of_straight_line(rungs, unmet) < 0.05 ? 1 : 0;
+        bent_by_chi_squared += *fit_rmse_rate(rungs, 0.95, plan_of_run(run, 1))->lack_of_fit_p < 0.05 ? 1 : 0;
+    }
+    EXPECT_LE(bent, 30);
+    EXPECT_GE(bent_by_chi_squared, 60);
+    int found = 0;
+    for (std::uint32_t run = 0; run < 100; ++run) {
+        auto rungs = ladder(-0.5, std::normal_distribution<double>(), engine);
+        for (Rung& rung : rungs) {
+            for (double& error : rung.errors) error += 0.01;
+        }
+        found += p_of_straight_line(rungs, unmet) < 0.05 ? 1 : 0;
+    }
+    EXPECT_GE(found, 80);
+}
+
 TEST(RmseRate, IsTheSameForTheSameKey) {
     std::mt19937_64 engine(5);
     const auto rungs = ladder(-0.5, std::normal_distribution<double>(), engine);

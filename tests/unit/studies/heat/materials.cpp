@@ -94,7 +94,7 @@ SceneWithMaterials scene_of(const std::string& name, std::string_view text) {
 }
 
 TEST(Materials, AreFoundByTheNamesOfUsemtl) {
-    const auto [scene, said] = scene_of("tiles.obj", tiles_obj);
+    const auto [scene, said, scale] = scene_of("tiles.obj", tiles_obj);
     const auto read = [&scene = scene, &said = said](const char* toml) {
         return read_materials(toml, "m.toml", {scene.faces, said});
     };
@@ -118,7 +118,7 @@ wall = { emissivity = 0.5, temperature = 400 }
 }
 
 TEST(Materials, BecomeFacesOnRequest) {
-    const auto [scene, said] = scene_of("tiles.obj", with_obj_comment(tiles_obj, "faces material"));
+    const Scene scene = scene_of("tiles.obj", with_obj_comment(tiles_obj, "faces material")).scene;
     EXPECT_THAT(scene.faces, testing::ElementsAre("brick", "steel", "glass"));
     EXPECT_EQ(scene.surfaces.size(), 4u);
 }

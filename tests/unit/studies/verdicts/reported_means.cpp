@@ -101,6 +101,48 @@ TEST(GatesOnMeans, JudgeSpreadsByADeclaredKurtosisOnly) {
     EXPECT_EQ(verdicts(1), std::pair(Verdict::pass, Verdict::pass));
 }
 
+/// Ten bins of so many runs, whose means are values of a law; errors are not stated.
+template <class Law>
+ReportedFile runs_of_bins(std::uint64_t seed, int runs, Law law) {
+    std::mt19937_64 engine(seed);
+    std::string text = "quantity,bin,run,mean\n";
+    for (int bin = 0; bin < 10; ++bin) {
+        for (int run = 0; run < runs; ++run) text += fmt::format("flux,{},{},{}\n", bin, run, law(engine));
+    }
+    return parse_reported(text, "runs.csv", StandardErrors::optional);
+}
+
+// Of 400 sound files at 1 %, more than 12 fail with probability 3e-4. By Student's t, 48 of 400 such files fail. Normal
+// runs that are 3 of their standard deviations off (13 standard errors) are found in at least 380 of 400.
+TEST(GatesOnMeans, AllowForSkewedRunsInEveryBin) {
+    Gate gate = gate_of_means(GateKind::bias, {-1e-6, 1e-6});
+    gate.against = Against::number;
+    const auto failures = [&](auto law) {
+        int found = 0;
+        for (std::uint64_t seed = 0; seed < 400; ++seed)
+            found += judged_means(gate, runs_of_bins(seed, 20, law), nullptr, 0.01).verdict == Verdict::fail ? 1 : 0;
+        return found;
+    };
+    EXPECT_LE(failures(std::exponential_distribution<double>(1)), 12);
+    EXPECT_GE(failures(std::normal_distribution<double>(1.3, 0.1)), 380);
+}
+
+// Errors of three values are known badly, whatever the other runs say: the degrees of freedom are those of their sum.
+TEST(GatesOnMeans, DoNotDependOnTheOrderOfRunsOfDifferentSizes) {
+    Gate gate = gate_of_means(GateKind::bias, {-1e-6, 1e-6});
+    gate.against = Against::number;
+    const auto judged = [&](const std::string& rows) {
+        const auto file =
+            parse_reported("quantity,run,mean,standard_error,n\n" + rows, "m.csv", StandardErrors::required);
+        return judged_means(gate, file, nullptr, 0.01).comparisons.at(0).measurement->failing;
+    };
+    const auto large_first = judged("flux,1,1.1,0.01,1000\nflux,2,1.3,0.3,3\n");
+    const auto small_first = judged("flux,1,1.3,0.3,3\nflux,2,1.1,0.01,1000\n");
+    EXPECT_DOUBLE_EQ(large_first.low, small_first.low);
+    // Half the root of 0.3² + 0.01², by Welch's 2.0044 degrees of freedom at 0.005 beyond each end.
+    EXPECT_NEAR(large_first.width() / 2, 1.48400, 1e-4);
+}
+
 // Exponential samples have kurtosis 9: of 2000 sound files at 1 %, more than 40 fail with probability 3e-5, and at the
 // end of a band, where 5 % may pass, more than 140 pass with probability 5e-5. Taken for normal, one in ten or more
 // fails: this shows that the test would see it.
