@@ -155,8 +155,8 @@ class LadderFit {
         return slope;
     }
 
-    /// What is said of slopes also rests on the rule for means: that one is not straight, that it differs from another
-    /// one, and, where few points may have missed something, that it is not as expected.
+    /// That a line is not straight, and, where few points may have missed something, that a slope is not as expected,
+    /// also rests on the rule for means.
     void allow_for_skewness(std::span<const stats::Rung> sizes, std::span<const Quantity> pairs, Slope& slope) const {
         std::vector<stats::Unmet> unmet;
         for (const auto& estimates : estimates_) {
@@ -164,13 +164,12 @@ class LadderFit {
             for (const Quantity pair : pairs) of_pairs.push_back(known_limits(plan_, *estimates, pair).unmet);
             unmet.push_back(unmet_squares(of_pairs, estimates->evaluations_per_face));
         }
-        const auto rate = stats::measured_rmse_rate(sizes, unmet);
-        if (!slope.pair) slope.measured = rate;
         slope.may_bend = slope.lack_of_fit_p && *slope.lack_of_fit_p < 1 - plan_.spec.level;
         if (slope.may_bend)
             slope.lack_of_fit_p = std::max(*slope.lack_of_fit_p, stats::p_of_straight_line(sizes, unmet));
         const bool met_all = std::ranges::all_of(unmet, [](const stats::Unmet& size) { return size.largest == 0; });
         if (!slope.p || met_all) return;
+        const auto rate = stats::measured_rmse_rate(sizes, unmet);
         const stats::Measured nearest{
             .value = *slope.slope > slope.slowest_expected ? slope.slowest_expected : slope.expected->rate,
             .parts = {}};

@@ -2,7 +2,6 @@
 
 #include "core/visibility/pair_class.hpp"
 #include "stats/basics/interval.hpp"
-#include "stats/means/mean_test.hpp"
 #include "studies/analysis/analysis.hpp"
 #include "studies/plan/ladders.hpp"
 #include "studies/theory/expected_rate.hpp"
@@ -30,9 +29,8 @@ struct Slope {
     std::optional<stats::Interval> interval;  ///< bootstrap over whole trials; empty for deterministic methods
     std::optional<stats::Interval> interval_from_fit;  ///< interval from the weights of the fit; rmse only
     std::optional<double> lack_of_fit_p;  ///< p-value of a straight line; rmse only. Where small, by the rule for means
-    std::optional<stats::Measured> measured;  ///< the same slope by the rule for means, for comparisons; rmse only
-    bool may_bend = false;                    ///< by chi-squared a straight line does not fit, at the level of one test
-    double misfit = 1;                        ///< sqrt(chi-squared / degrees of freedom) of a straight line, at least 1
+    bool may_bend = false;                ///< by chi-squared a straight line does not fit, at the level of one test
+    double misfit = 1;                    ///< sqrt(chi-squared / degrees of freedom) of a straight line, at least 1
     std::optional<ExpectedRate> expected;
     double slowest_expected = 0;  ///< ExpectedRate::slowest at the middle of the ladder
     std::optional<double> p;      ///< p-value of the slope being as expected

@@ -184,7 +184,6 @@ RankedSlopes rank_slopes(std::span<const LadderSlopes> ladders, std::size_t scen
         out.of_median |= found.rmse.variance == VarianceStatus::infinite && found.median.interval;
     });
     std::vector<stats::Measured> measured;
-    std::vector<std::optional<stats::Measured>> by_means;
     for_each([&](std::size_t i, const ClassSlopes& found) {
         const Slope& slope = out.of_median ? found.median : found.rmse;
         if (!slope.slope || !slope.interval) return;
@@ -195,15 +194,8 @@ RankedSlopes rank_slopes(std::span<const LadderSlopes> ladders, std::size_t scen
         const double critical = stats::normal_critical((1 - slope.interval->level) / 2);
         measured.push_back(
             stats::with_error(*slope.slope, ranked.interval->width() / (2 * critical), fewest_trials(found)));
-        by_means.push_back(slope.measured);
         out.slopes.push_back(ranked);
     });
-    // Of the bootstrap's error and the rule for means, the one that reaches farther at the level of one comparison.
-    const double tail = alpha_of_pair(measured.size(), level) / 2;
-    const auto reach = [&](const stats::Measured& slope) { return slope.reach(-1, tail) + slope.reach(1, tail); };
-    for (std::size_t i = 0; i < measured.size(); ++i) {
-        if (by_means[i] && reach(*by_means[i]) > reach(measured[i])) measured[i] = *by_means[i];
-    }
     put_in_order(out.slopes, measured, level);
     return out;
 }

@@ -1,6 +1,7 @@
 #include "studies/verdicts/reported/reported_effects.hpp"
 
 #include "stats/basics/distributions.hpp"
+#include "stats/basics/moments.hpp"
 #include "stats/dependence/correlation.hpp"
 #include "stats/means/mean_test.hpp"
 #include "studies/verdicts/reported/reported_bins.hpp"
@@ -116,7 +117,9 @@ void compare_means(BinComparison& comparing, const Bins* against) {
     const Gate& gate = comparing.gate;
     const MeanReference number{gate.reference.value_or(0), gate.reference_se.value_or(0), infinity};
     comparing.effects.bins.reserve(comparing.bins.count());
-    const bool by_runs = comparing.bins.runs >= enough_runs || (against != nullptr && against->runs >= enough_runs);
+    // Sums of squares over many bins are for normal means, which expect_normal_runs examines.
+    const bool has_runs = comparing.bins.runs >= enough_runs || (against != nullptr && against->runs >= enough_runs);
+    const bool by_runs = has_runs && gate.combine != Combination::chi_squared;
     for (std::size_t bin = 0; bin < comparing.bins.count(); ++bin) {
         const MeanReference own = mean_of(comparing.bins.runs_of(bin));
         const MeanReference reference = against != nullptr ? mean_of(against->runs_of(bin)) : number;
@@ -222,6 +225,35 @@ void compare_errors(BinComparison& comparing) {
         fmt::format(".{}", fault_of_errors(std::exp(ratios / judged), std::exp(errors / judged), bins.rows[0].n));
 }
 
+/// Whether runs are skewed, over all bins together: by the mean of the skewness of each, and by the mean of its square,
+/// beside those of normal runs. Each is beyond four standard errors in one of ten thousand files of normal runs.
+void expect_normal_runs(BinComparison& comparing, const Bins& bins) {
+    if (bins.runs < enough_runs || bins.file->holds != Holds::means) return;
+    const double error = *stats::skewness_standard_error(bins.runs);  // of normal runs
+    double sum = 0;
+    double squares = 0;
+    double examined = 0;
+    for (std::size_t bin = 0; bin < bins.count(); ++bin) {
+        std::vector<double> values;
+        for (const ReportedRow& run : bins.runs_of(bin)) values.push_back(run.mean);
+        const auto skewness = stats::moments_of(values, values.front()).skewness();
+        if (!skewness) continue;
+        sum += *skewness / error;
+        squares += *skewness / error * (*skewness / error);
+        ++examined;
+    }
+    constexpr double far = 4;
+    const double spread_of_squares = 2;  // somewhat more than for normal numbers
+    const bool skewed =
+        std::abs(sum) > far * std::sqrt(examined) || squares - examined > far * spread_of_squares * std::sqrt(examined);
+    if (examined == 0 || !skewed) return;
+    comparing.contradicted = true;
+    add_note(comparing.note,
+             fmt::format("the runs of {} are skewed: no verdict rests on a sum of squares, which is for "
+                         "normal means. Take combine = \"holm\"",
+                         bins.file->origin));
+}
+
 /// Bins that are said to be independent are examined where there are several runs, including runs of hits.
 void expect_independent_bins(BinComparison& comparing, const Bins& bins) {
     constexpr std::size_t most_runs = 50;  // more would take long, and show little more
@@ -306,9 +338,12 @@ BinComparison effects_of(const Gate& gate, const Bins& bins, const Bins* against
             }
             break;
     }
-    if (gate.combine == Combination::chi_squared && gate.covariance.empty()) {
-        expect_independent_bins(comparing, bins);
-        if (against != nullptr) expect_independent_bins(comparing, *against);
+    if (gate.combine == Combination::chi_squared) {
+        for (const Bins* each : {&bins, against}) {
+            if (each == nullptr) continue;
+            expect_normal_runs(comparing, *each);
+            if (gate.covariance.empty()) expect_independent_bins(comparing, *each);
+        }
     }
     return comparing;
 }

@@ -43,7 +43,7 @@ END
 for scene in cut with_bottom; do
     ffstudy heat $scene.obj --materials materials.toml --tolerance 1e-3
     expect_status 0
-    awk '$1 ~ /^(floor|walls|box)$/ {print $1, $2, $12, $NF}' "$folder/stdout" >$scene.txt  # area, power, temperature
+    awk '$1 ~ /^(floor|walls|box)$/ {print $1, $NF, $2, $5}' "$folder/stdout" >$scene.txt  # area, power, temperature
 done
 paste -d ' ' cut.txt with_bottom.txt | awk '
     {away = $3 - $7; wrong += $1 != $5 || $2 != $6 || away > 0.1 || away < -0.1 || $4 != $8}

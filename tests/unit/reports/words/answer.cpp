@@ -93,7 +93,7 @@ TEST(Answer, HasAtMost35Words) {
 }
 
 TEST(Answer, RanksSlopesThatCanBeDistinguished) {
-    const auto results = results_of("trials = 100", R"([[method]]
+    const auto results = results_of("trials = 40", R"([[method]]
 name = "random"
 sampler = "random"
 estimator = "ray_shooting"
@@ -124,7 +124,7 @@ TEST(Answer, NamesNoSlowestMethodAmongIndistinguishableOnes) {
             "samples_per_patch = [64, 256, 1024]\n",
             sampler);
     }
-    const auto results = results_of("trials = 100", methods);
+    const auto results = results_of("trials = 40", methods);
     const std::string text = answer(results).text + terminal_summary(results) + markdown_report(results);
     EXPECT_THAT(text, HasSubstr("sobol converges fastest"));
     EXPECT_THAT(text, Not(HasSubstr("slowest (")));

@@ -127,6 +127,25 @@ TEST(GatesOnMeans, AllowForSkewedRunsInEveryBin) {
     EXPECT_GE(failures(std::normal_distribution<double>(1.3, 0.1)), 380);
 }
 
+// A sum of squares over bins is for normal means. Of 200 files of normal runs, one that is called skewed has
+// probability 0.02; all of 200 of exponential runs are, whose sums of squares would fail 13 times as often as stated.
+TEST(GatesOnMeans, JudgeNoSumOfSquaresOfSkewedRuns) {
+    Gate gate = gate_of_means(GateKind::bias, {-1e-6, 1e-6});
+    gate.against = Against::number;
+    gate.combine = Combination::chi_squared;
+    const auto skewed = [&](auto law) {
+        int found = 0;
+        for (std::uint64_t seed = 0; seed < 200; ++seed)
+            found += judged_means(gate, runs_of_bins(seed, 20, law), nullptr, 0.01).note.find("are skewed") !=
+                             std::string::npos
+                         ? 1
+                         : 0;
+        return found;
+    };
+    EXPECT_LE(skewed(std::normal_distribution<double>(1, 1)), 1);
+    EXPECT_GE(skewed(std::exponential_distribution<double>(1)), 195);
+}
+
 // Errors of three values are known badly, whatever the other runs say: the degrees of freedom are those of their sum.
 TEST(GatesOnMeans, DoNotDependOnTheOrderOfRunsOfDifferentSizes) {
     Gate gate = gate_of_means(GateKind::bias, {-1e-6, 1e-6});
