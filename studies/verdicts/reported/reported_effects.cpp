@@ -27,8 +27,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
                                   bins.name(bin), bins.file->origin));
 }
 
-/// A mean of runs, as far as their skewness and that of the mean of stated errors, which are taken for normal, is
-/// known.
+/// A mean of runs with what they show of their skewness; means with stated errors are taken for normal.
 /// @param mean  of these runs
 stats::MeanEvidence evidence_of(Rows runs, const MeanReference& mean) {
     std::vector<double> values;
