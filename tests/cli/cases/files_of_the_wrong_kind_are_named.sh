@@ -13,6 +13,8 @@ printf 'T t\nF 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 0 1 0\nS 1 1 2 3 0 0 0 0.9 a\n' >"$f
 cp "$data/../../studies/built_in/paper_tables.json" "$files/tables"
 printf '{"schema": "ffstudy.baseline/1", "gates": []}\n' >"$files/baseline"
 printf 'trial,quantity,estimate\n0,q,1\n' >"$files/estimates"
+printf 'quantity,bin,mean,standard_error,n\nq,1,1,0.1,10\n' >"$files/means"
+printf 'solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid x\n' >"$files/stl"
 ffstudy run "$files/study" --out "$folder/kept" --quiet
 expect_status 0
 cp "$folder/kept/results.sqlite" "$files/store"
@@ -26,17 +28,17 @@ cp "$folder/points.npy" "$files/points"
 # what KIND: how it is named; taken_by KIND FILE: the command that is suggested.
 what() {
     case $1 in
-        study) echo "a study file" ;; bands) echo "a bands file" ;; toml_scene | obj | vs3) echo "a scene file" ;;
-        tables) echo "a tables file" ;; baseline) echo "a baseline" ;; estimates) echo "a file of estimates" ;;
+        study) echo "a study file" ;; bands) echo "a bands file" ;; toml_scene | obj | vs3 | stl) echo "a scene file" ;;
+        tables) echo "a tables file" ;; baseline) echo "a baseline" ;; estimates | means) echo "a file of estimates" ;;
         store) echo "a result store" ;; factors) echo "a store of form factors" ;;
         points) echo "a file of points" ;;
     esac
 }
 taken_by() {
     case $1 in
-        study) echo "run $2" ;; bands) echo "check $2" ;; toml_scene | obj | vs3) echo "form-factors $2" ;;
+        study) echo "run $2" ;; bands) echo "check $2" ;; toml_scene | obj | vs3 | stl) echo "form-factors $2" ;;
         tables) echo "audit $2" ;; baseline) echo "check BANDS.toml --baseline $2" ;;
-        estimates) echo "check BANDS.toml --estimates $2" ;; store) echo "report $2" ;;
+        estimates | means) echo "check BANDS.toml --estimates $2" ;; store) echo "report $2" ;;
         factors) echo "form-factors --load $2" ;; points) echo "convergence --sampler file:$2" ;;
     esac
 }
@@ -45,7 +47,7 @@ taken_by() {
 refuse() {
     local wanted=$1 kind file
     shift
-    for kind in study bands toml_scene obj vs3 tables baseline estimates store factors points; do
+    for kind in study bands toml_scene obj vs3 stl tables baseline estimates means store factors points; do
         [ "$(what $kind)" != "$(what "$wanted")" ] || continue
         file=$files/$kind
         [ "$wanted" != obj ] || { file=$folder/$kind.obj && cp "$files/$kind" "$file"; }
@@ -78,7 +80,7 @@ refuse obj form_factors {}
 refuse obj explain {}
 
 # A file where a command is wanted.
-for kind in study bands toml_scene obj vs3 tables baseline estimates store factors points; do
+for kind in study bands toml_scene obj vs3 stl tables baseline estimates means store factors points; do
     ffstudy "$files/$kind"
     expect_refused 2 "'$files/$kind' is $(what $kind), not a command. Run 'ffstudy $(taken_by $kind "$files/$kind")'."
 done
@@ -87,7 +89,7 @@ done
 ffstudy form-factors "$files/study"
 expect_refused 2 "a study file (expected a scene file). Run 'ffstudy run $files/study'."
 ffstudy form-factors "$files/obj"
-expect_refused 2 "its extension names no scene format (.obj, .toml, .vs3, .idf, .epJSON, .stl, .ply, .off, .gltf, .glb, .vtk, .vtu, .vtp, .msh). Rename it."
+expect_refused 2 "its extension names no scene format (.obj, .toml, .vs3, .idf, .epJSON, .stl, .ply, .off, .gltf, .glb, .vtk, .vtu, .vtp, .msh). Give a scene file, or a name of 'ffstudy list scenes'."
 /usr/bin/python3 -c 'import sys; sys.stdout.buffer.write(bytes(80) + b"\1\0\0\0" + bytes(50))' >"$folder/stl.obj"
 ffstudy form-factors "$folder/stl.obj"
 expect_refused 2 "an STL file by its content (its name says that it is something else). Rename it to end in .stl."

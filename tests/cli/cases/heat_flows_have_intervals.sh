@@ -127,6 +127,22 @@ ffstudy heat --materials materials.toml
 expect_status 2
 expect_stderr "SCENE is missing"
 
+# What is stopped keeps what is known; what is missed, or not to be trusted, is said in the sentence.
+ffstudy heat furnace.obj --materials materials.toml --tolerance-of flux --max-time 0.00001
+expect_status 4
+ffstudy heat furnace.obj --materials materials.toml --flow-tolerance 10W
+expect_status 4
+expect_stdout "The tolerance of 10W is missed"
+sed 's/^g block/g occluder/' furnace.obj >occluder.obj
+printf 'surroundings = 500\n[materials]\n"*" = { emissivity = 0.7, temperature = 500 }\n' >around.toml
+ffstudy heat occluder.obj --materials around.toml
+expect_status 0
+expect_stdout "Nothing is exchanged"
+{ echo "# scale 0.001" && cat oven.obj; } >scaled.obj
+ffstudy heat scaled.obj --materials oven.toml --scale 0.001
+expect_status 2
+expect_stderr "says 'scale 0.001' itself"
+
 # A tolerance that the form factors do not allow.
 ffstudy heat furnace.obj --materials materials.toml --tolerance 0.01 --flow-tolerance 1e-6
 expect_status 4

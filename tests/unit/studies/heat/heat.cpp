@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -62,6 +63,49 @@ TEST(HeatFlows, SumToZeroInAClosedScene) {
     EXPECT_FALSE(flows.reaches_outside);
     expect_within(flows.balance, 0);
     EXPECT_LT(flows.worst, 1e-8 * flows.throughput) << "exact factors";
+}
+
+TEST(HeatFlows, AreAtRestAtOneTemperatureWhateverTheEmissivities) {
+    const Scene cube = make_scene("cube");
+    for (const double emissivity : {1e-9, 1e-6, 0.04, 0.05, 0.35, 1.0}) {
+        for (const double kelvin : {0.0, 293.15, 1000.0, 1123.15}) {
+            const auto flows =
+                flows_of(cube, fmt::format("[materials]\n\"*\" = {{ emissivity = 0.9, temperature = {1} }}\n"
+                                           "1 = {{ emissivity = {0}, temperature = {1} }}\n",
+                                           emissivity, kelvin));
+            EXPECT_TRUE(flows.are_at_rest()) << emissivity << " at " << kelvin << " K";
+        }
+    }
+}
+
+// 16 K apart, faces that reflect all but a billionth exchange little, which is not nothing.
+TEST(HeatFlows, AreNotAtRestBetweenGoodMirrors) {
+    const auto flows = flows_of(make_scene("cube"),
+                                "[materials]\n\"*\" = { emissivity = 1e-9, temperature = 300 }\n"
+                                "6 = { emissivity = 1e-9, temperature = 316 }\n");
+    EXPECT_FALSE(flows.are_at_rest());
+    EXPECT_GT(flows.faces[5].power.low, 0);
+}
+
+TEST(HeatFlows, TakeAFluxThatAWideIntervalDoesNotExclude) {
+    const Scene scene = furnace_scene();
+    const auto flows = flows_of(scene, R"(
+[materials]
+block = { emissivity = 0.8, temperature = 1200 }
+roof = { emissivity = 0.6, flux = -33600 }
+"*" = { emissivity = 0.9, flux = 0 }
+)",
+                                1e-2);
+    const auto roof = static_cast<std::size_t>(std::ranges::find(scene.faces, "roof") - scene.faces.begin());
+    EXPECT_EQ(flows.faces[roof].temperature.low, 0);
+    EXPECT_GT(flows.faces[roof].temperature.high, 150);
+    EXPECT_THROW(flows_of(scene, R"(
+[materials]
+block = { emissivity = 0.8, temperature = 1200 }
+roof = { emissivity = 0.6, flux = -60000 }
+"*" = { emissivity = 0.9, flux = 0 }
+)"),
+                 UserError);
 }
 
 TEST(HeatFlows, OfGroupsAreSumsOfThoseOfFaces) {
