@@ -173,8 +173,8 @@ std::vector<studies::heat::SolvedCase> solve(std::vector<studies::heat::Material
         try {
             auto flows = studies::heat::find_flows(kept.scene, kept.matrix, one, scale);
             solved.push_back({std::move(one), std::move(flows)});
-        } catch (const studies::heat::ImpossibleRow&) {
-            throw;  // of the form factors, for every case
+        } catch (const studies::heat::InconclusiveFlows&) {
+            throw;
         } catch (const UserError& error) {
             if (one.name.empty()) throw;
             throw UserError("case '{}': {}", one.name, error.what());
@@ -248,8 +248,8 @@ ExitCode find_flows(const HeatCommand& command) {
 ExitCode heat(const HeatCommand& command) {
     try {
         return find_flows(command);
-    } catch (const studies::heat::ImpossibleRow& row) {
-        say("ffstudy: {}\n", row.what());
+    } catch (const studies::heat::InconclusiveFlows& inconclusive) {
+        say("ffstudy: {}\n", inconclusive.what());
         return ExitCode::inconclusive;
     }
 }

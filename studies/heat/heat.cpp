@@ -134,7 +134,7 @@ void expect_solvable(const Scene& scene, const FactorBounds& factors, const Face
     if (absorption == Absorption::unresolved)
         throw UnresolvedFlows(
             fmt::format("scene '{}': whether face '{}' sees any face with a temperature is not certain (the "
-                        "intervals of its form factors begin at 0). Take a smaller --tolerance.",
+                        "intervals of its form factors begin at 0). Take a smaller --tolerance, or more time.",
                         scene.name, face(cut_off)));
 }
 

@@ -83,14 +83,19 @@ struct Flows {
     }
 };
 
-/// The factors of a face of a closed scene cannot add up to 1, by more than chance explains.
-class ImpossibleRow : public UserError {
+/// The form factors do not tell the flows, which is no fault of the input.
+class InconclusiveFlows : public UserError {
     using UserError::UserError;
 };
 
+/// The factors of a face of a closed scene cannot add up to 1, by more than chance explains.
+class ImpossibleRow : public InconclusiveFlows {
+    using InconclusiveFlows::InconclusiveFlows;
+};
+
 /// It depends on factors whose intervals begin at 0 whether a face reaches one with a temperature.
-class UnresolvedFlows : public UserError {
-    using UserError::UserError;
+class UnresolvedFlows : public InconclusiveFlows {
+    using InconclusiveFlows::InconclusiveFlows;
 };
 
 /// One case of a materials file.
