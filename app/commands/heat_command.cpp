@@ -88,7 +88,7 @@ void expect_one_set_of_reflectances(const std::vector<studies::heat::Materials>&
             throw UserError(
                 "--gebhart: the cases '{}' and '{}' of {} have different emissivities (gebhart.csv is of one set). "
                 "Keep "
-                "one.",
+                "one of them.",
                 cases.front().name, one.name, file.string());
     }
 }
@@ -165,24 +165,6 @@ std::vector<std::string> warnings_about(const std::vector<studies::heat::Materia
     return warnings;
 }
 
-/// Solves all cases with the same form factors. @throws UserError, which names the case
-std::vector<studies::heat::SolvedCase> solve(std::vector<studies::heat::Materials> cases,
-                                             const studies::form_factors::KeptMatrix& kept, double scale) {
-    std::vector<studies::heat::SolvedCase> solved;
-    for (auto& one : cases) {
-        try {
-            auto flows = studies::heat::find_flows(kept.scene, kept.matrix, one, scale);
-            solved.push_back({std::move(one), std::move(flows)});
-        } catch (const studies::heat::InconclusiveFlows&) {
-            throw;
-        } catch (const UserError& error) {
-            if (one.name.empty()) throw;
-            throw UserError("case '{}': {}", one.name, error.what());
-        }
-    }
-    return solved;
-}
-
 ExitCode find_flows(const HeatCommand& command) {
     const bool is_loaded = !command.factors.load.empty();
     if (!is_loaded && command.factors.scene.empty()) throw UserError("SCENE is missing. See 'ffstudy heat --help'.");
@@ -221,8 +203,9 @@ ExitCode find_flows(const HeatCommand& command) {
     }
     if (out) {
         // Kept before anything about the materials can fail. Factors that were sampled for flows are not reused.
-        out->remove(matrix_store_file);
-        if (!sampled)
+        if (sampled)
+            out->remove(matrix_store_file);
+        else if (!is_there)
             out->replace(matrix_store_file,
                          [&](const auto& store) { studies::form_factors::save_matrix(store, kept); });
     }
@@ -230,7 +213,7 @@ ExitCode find_flows(const HeatCommand& command) {
     if (sampled)
         solved.push_back({std::move(cases.front()), std::move(sampled->flows)});
     else
-        solved = solve(std::move(cases), kept, scale);
+        solved = studies::heat::solve_cases(kept.scene, kept.matrix, std::move(cases), scale);
     const bool trusted = studies::form_factors::is_trusted(kept.scene, kept.matrix, kept.request.tolerance);
     const reports::HeatReport report{kept.scene, kept.request, solved,
                                      tolerance,  trusted,      sampled ? &*sampled : nullptr};

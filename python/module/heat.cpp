@@ -50,11 +50,9 @@ Heat heat(const SceneText& source, const std::string& materials, const std::stri
         matrix.faults = doubts.faults;
         found.trusted = studies::form_factors::is_trusted(scene, matrix, request.tolerance);
         found.warnings = std::move(doubts.faults);
-        for (auto& one : cases) {
+        for (const auto& one : cases)
             found.warnings.insert(found.warnings.end(), one.warnings.begin(), one.warnings.end());
-            auto flows = studies::heat::find_flows(scene, matrix, one, scale);
-            found.cases.push_back({std::move(one), std::move(flows)});
-        }
+        found.cases = studies::heat::solve_cases(scene, matrix, std::move(cases), scale);
     });
     return found;
 }

@@ -37,7 +37,7 @@ std::string with_error(const Bounds& bounds, bool is_rounding) {
 }
 
 std::string heat_answer(const HeatReport& report) {
-    if (report.cases.size() > 1) return {};
+    if (report.cases.size() > 1 || !report.trusted) return {};
     std::vector<studies::heat::GroupFlow> groups = report.cases.front().flows.groups;
     std::erase_if(groups, [](const auto& group) { return group.power.low <= 0 && group.power.high >= 0; });
     std::ranges::stable_sort(groups, std::ranges::greater(),

@@ -28,7 +28,7 @@ struct HeatReport {
 std::string with_error(const studies::heat::Bounds& bounds, bool is_rounding = false);
 
 /// The groups that exchange most: "heater gives off 3500 ± 5 W; steel takes up 3500 ± 1 W". Empty where there are
-/// several cases, or no group is known to exchange power.
+/// several cases, where no group is known to exchange power, and where nothing is to be trusted.
 std::string heat_answer(const HeatReport& report);
 
 /// Where the powers of a case go: to the surroundings, or nowhere in a closed scene, whose powers add up to 0.

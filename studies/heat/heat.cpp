@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <system_error>
+#include <utility>
 
 namespace ff::studies::heat {
 namespace {
@@ -146,9 +147,7 @@ Bounds rounded(double low, double high, double size) {
 
 /// @pre a flux can be absorbed
 FaceFlow flow_of(const Material& material, double area, Bounds irradiation) {
-    FaceFlow flow;
-    flow.area = area;
-    flow.irradiation = irradiation;
+    FaceFlow flow{.area = area, .radiosity = {}, .irradiation = irradiation, .net = {}, .power = {}, .temperature = {}};
     const double most = std::max(std::abs(irradiation.low), std::abs(irradiation.high));
     if (material.is_light() || material.temperature) {
         const double emitted = emitted_by(material);
@@ -182,16 +181,15 @@ void expect_absorbable(const Scene& scene, const Materials& materials, const Irr
         // Where too much is taken away elsewhere, even adiabatic faces would have negative irradiations.
         if (!material.flux || *material.flux >= 0) continue;
         const double black = irradiation.high[static_cast<Index>(i)] + *material.flux / *material.emissivity;
-        if (black >= least) continue;
-        least = black;
-        worst = i;
+        if (black < least) worst = i;
+        least = std::min(least, black);
     }
     if (least == 0) return;
     const Material& material = materials.faces[worst];
+    const double most = *material.emissivity * std::max(0.0, irradiation.high[static_cast<Index>(worst)]);
     throw UserError(
         "face '{}': flux = {:g} W/m² (it can absorb at most {:.4g} W/m²). Give a flux nearer to 0, or a temperature.",
-        scene.faces[worst], *material.flux,
-        *material.emissivity * std::max(0.0, irradiation.high[static_cast<Index>(worst)]));
+        scene.faces[worst], *material.flux, most);
 }
 
 void operator+=(Bounds& sum, const Bounds& more) {
@@ -301,6 +299,23 @@ Flows find_flows(const Scene& scene, const form_factors::Matrix& matrix, const M
     for (const FaceGroup& group : materials.groups) found.groups.push_back(flow_of_group(group, found.faces, sources));
     if (sum.middle() < 0) found.throughput += -sum.middle();  // what the surroundings give off
     return found;
+}
+
+std::vector<SolvedCase> solve_cases(const Scene& scene, const form_factors::Matrix& matrix,
+                                    std::vector<Materials> cases, double scale) {
+    std::vector<SolvedCase> solved;
+    for (Materials& one : cases) {
+        try {
+            Flows flows = find_flows(scene, matrix, one, scale);
+            solved.push_back({std::move(one), std::move(flows)});
+        } catch (const InconclusiveFlows&) {
+            throw;
+        } catch (const UserError& error) {
+            if (one.name.empty()) throw;
+            throw UserError("case '{}': {}", one.name, error.what());
+        }
+    }
+    return solved;
 }
 
 std::vector<GebhartFactor> find_gebhart_factors(const Scene& scene, const form_factors::Matrix& matrix,

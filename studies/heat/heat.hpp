@@ -117,6 +117,10 @@ FaceLaws laws_of(const Materials& materials);
 ///   leaves a face without a temperature
 Flows find_flows(const Scene& scene, const form_factors::Matrix& matrix, const Materials& materials, double scale);
 
+/// The flows of all cases, from the same form factors. @throws UserError as find_flows, which names the case
+std::vector<SolvedCase> solve_cases(const Scene& scene, const form_factors::Matrix& matrix,
+                                    std::vector<Materials> cases, double scale);
+
 /// Where the emission of a face is finally absorbed.
 struct GebhartFactor {
     std::size_t from = 0;
