@@ -225,7 +225,7 @@ void compare_errors(BinComparison& comparing) {
 }
 
 /// Whether runs are skewed, over all bins together: by the mean of the skewness of each, and by the mean of its square,
-/// beside those of normal runs. Each is beyond four standard errors in one of ten thousand files of normal runs.
+/// beside those of normal runs. Normal runs are called skewed in one of 200 files of a bin, one of 1000 of ten bins.
 void expect_normal_runs(BinComparison& comparing, const Bins& bins) {
     if (bins.runs < enough_runs || bins.file->holds != Holds::means) return;
     const double error = *stats::skewness_standard_error(bins.runs);  // of normal runs
@@ -242,9 +242,9 @@ void expect_normal_runs(BinComparison& comparing, const Bins& bins) {
         ++examined;
     }
     constexpr double far = 4;
-    const double spread_of_squares = 2;  // somewhat more than for normal numbers
-    const bool skewed =
-        std::abs(sum) > far * std::sqrt(examined) || squares - examined > far * spread_of_squares * std::sqrt(examined);
+    constexpr double spread_of_squares = 2;  // somewhat more than for normal numbers
+    const double most = far * std::sqrt(examined);
+    const bool skewed = std::abs(sum) > most || squares - examined > most * spread_of_squares;
     if (examined == 0 || !skewed) return;
     comparing.contradicted = true;
     add_note(comparing.note,
