@@ -16,7 +16,7 @@ EstimatorCheck says_why_not;     ///< a refusal of a scene of the catalogue has 
 EstimatorCheck
     depends_on_its_task;  ///< the same task gives the same bits, another trial others in some scene if it takes points
 
-/// The mean over 64 trials or more, as many as their spread asks for, of 1024 random points for each patch, or 256 for
+/// The mean over 32 trials or more, as many as their spread asks for, of 1024 random points for each patch, or 64 for
 /// each pair of patches, of faces divided in four is the exact value of a configuration. Fails for a right estimator
 /// with probability 1e-8; a bias of `noticed_bias` goes unnoticed with probability .01 at most, which is checked as
 /// well. Succeeds without a test where the estimator refuses the scene or has no variance there. An estimator that

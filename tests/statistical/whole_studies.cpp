@@ -200,9 +200,9 @@ StudySpec random_study(std::uint64_t seed) {
 }
 
 // Without an allowance for what no evaluation has met, one study of three was called biased. Risks: false alarm 1e-4; a
-// rate of .46 (nightly .14) is noticed with power .99.
+// rate of .59 (nightly .14) is noticed with power .99.
 TEST(WholeStudies, SeldomCallRandomSoundMethodsBiased) {
-    const std::uint64_t wanted = test::repetitions(30, 400);
+    const std::uint64_t wanted = test::repetitions(20, 400);
     std::uint64_t studies = 0;
     std::uint64_t biased = 0;
     std::string names;
@@ -224,7 +224,7 @@ TEST(WholeStudies, SeldomCallRandomSoundMethodsBiased) {
     }
     ASSERT_EQ(studies, wanted);
     EXPECT_TRUE(
-        test::has_probability_at_most(biased, studies, 0.05, {.alpha = 1e-4, .detects = studies == 30 ? 0.41 : 0.085}))
+        test::has_probability_at_most(biased, studies, 0.05, {.alpha = 1e-4, .detects = studies == 20 ? 0.54 : 0.085}))
         << "seeds" << names;
     RecordProperty(fmt::format("biased_of_{}", studies), std::to_string(biased));
 }

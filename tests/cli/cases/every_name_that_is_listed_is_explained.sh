@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# Needs time: every name.
 source "$(dirname "$0")/../harness.sh"
 
 for kind in sampler estimator scene completion allocation map tracer configuration study format; do

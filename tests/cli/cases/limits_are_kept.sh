@@ -17,15 +17,16 @@ expect_status 0
 expect_same_results whole enough
 rm -r enough long
 
-# A run that grows beyond what was expected stops gracefully: here with 600 MiB that no plan knows of.
+# A run that grows beyond what was expected stops gracefully: here with 200 MiB that no plan knows of.
 cat >"$folder/ballast.cpp" <<'END'
-#include <vector>
-static const std::vector<char> ballast(600 << 20, 1);
+#include <cstdlib>
+#include <cstring>
+static const void* ballast = std::memset(std::malloc(200 << 20), 1, 200 << 20);
 END
 "${CXX:-c++}" -shared -fPIC -o "$folder/ballast.so" "$folder/ballast.cpp"
 # The library of a sanitizer wants to be first.
 ballast="$(ldd "$program" | grep -oE '/[^ ]*/lib[at]san[^ ]*' || true) $folder/ballast.so"
-LD_PRELOAD=$ballast begin run "$folder/long.toml" --max-memory 500M --threads 1 --out grown
+LD_PRELOAD=$ballast begin run "$folder/long.toml" --max-memory 150M --threads 1 --out grown
 finish
 expect_status 130
 expect_stderr "of memory are in use, more than --max-memory."

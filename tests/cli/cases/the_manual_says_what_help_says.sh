@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Man pages and completion come from the definitions that --help shows: every command, option and value is in all three.
+# Needs time: every option.
 root=$(cd "$(dirname "$0")/../../.." && pwd)
 source "$(dirname "$0")/../harness.sh"
 

@@ -5,6 +5,7 @@
 #include "core/geometry/surface_map.hpp"
 #include "core/radiosity/enclosures.hpp"
 #include "core/tracing/tracer.hpp"
+#include "tests/support/repetitions.hpp"
 #include "tests/support/round_scenes.hpp"
 #include "tests/unit/core/tracing/point_blocks.hpp"
 
@@ -41,10 +42,11 @@ struct Closed {
 
 class ClosedScene : public testing::TestWithParam<Closed> {};
 
-// 10 million rays per scene.
+// 3 million rays per scene, nightly 10.
 TEST_P(ClosedScene, LosesNoRay) {
     const Scene scene = GetParam().make();
-    const auto blocks = static_cast<std::uint32_t>(10'000'000 / block_capacity / scene.surfaces.size() + 1);
+    const auto blocks = static_cast<std::uint32_t>(
+        test::repetitions(3'000'000, 10'000'000) / block_capacity / scene.surfaces.size() + 1);
     for (const FaceHits& hits : hits_from_every_surface(scene, blocks)) {
         EXPECT_EQ(hits.back(), 0u);
         EXPECT_EQ(std::accumulate(hits.begin(), hits.end(), std::uint64_t{0}), blocks * block_capacity)
@@ -91,7 +93,7 @@ TEST_P(ClosedScene, LosesNoRayAimedAtARim) {
     std::size_t traced = 0;
     std::size_t lost = 0;
     for (std::uint32_t source = 0; source < scene.surfaces.size(); ++source) {
-        for (std::uint32_t n = 0; n < 1000; ++n) {
+        for (std::uint32_t n = 0; n < test::repetitions(300, 1000); ++n) {
             const RayBatch rays = rays_to_rims(scene, source, n);
             tracer->trace(rays, hits);
             traced += rays.size();

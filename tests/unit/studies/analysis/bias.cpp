@@ -100,11 +100,12 @@ TEST(Bias, IsFoundInSkewedTrialsWhereItIsLarge) {
 }
 
 // One trial in ten is off by 6 standard deviations of the others: in forty trials, some of the thirty pairs have no
-// such trial. Judged by their own trials alone, 30 % of these studies are called biased. Risks: false alarm 1e-6; .35
-// is noticed with power .99, and so is a bias of 8 standard errors that is found in fewer than .6 of them.
+// such trial. Judged by their own trials alone, 30 % of these studies are called biased. Risks: false alarm 1e-6; .66
+// (nightly .25) is noticed with power .99, and so is a bias of 8 standard errors that is found in fewer than .29 of
+// them (nightly .7).
 TEST(Bias, IsRarelyFoundWhereTheTrialsOfOtherPairsExplainIt) {
-    const std::uint64_t studies = test::repetitions(40, 200);
-    const double noticed = test::is_nightly() ? 0.2 : 0.48;
+    const std::uint64_t studies = test::repetitions(24, 200);
+    const double noticed = test::is_nightly() ? 0.2 : 0.61;
     const auto count = [&](double shift, bool alternating) {
         std::uint64_t seed = 0;
         return test::count_events(studies, [&] {

@@ -25,7 +25,7 @@ namespace {
 std::string study_of(std::string_view scenes, std::string_view more = "") {
     return fmt::format(
         "[study]\nname = \"a\"\nscene = [{}]\ntrials = 40\nseed = 3\n{}\n[[method]]\nname = \"SR\"\n"
-        "sampler = \"random\"\nestimator = \"ray_shooting\"\nsamples_per_patch = 16384\n",
+        "sampler = \"random\"\nestimator = \"ray_shooting\"\nsamples_per_patch = 8192\n",
         scenes, more);
 }
 
@@ -43,9 +43,9 @@ TEST(CatalogueStudy, FindsNoBiasAndLosesNoRay) {
         const std::string& scene = findings.plan.scenes[findings.plan.cells[cell.cell].scene].name;
         EXPECT_EQ(cell.bias_finding, BiasFinding::no_bias_found) << scene << " p " << cell.bias->adjusted_p;
         EXPECT_EQ(cell.lost_rays, 0u) << scene;
-        // Every scene has a value to be compared with, and would have shown a bias of 4 % of a factor of 0.2.
+        // Every scene has a value to be compared with, and would have shown a bias of 6 % of a factor of 0.2.
         EXPECT_GT(cell.bias->pairs, cell.bias->untestable) << scene;
-        EXPECT_LT(cell.bias->minimum_detectable_bias, 0.008) << scene;
+        EXPECT_LT(cell.bias->minimum_detectable_bias, 0.012) << scene;
     }
 }
 

@@ -190,7 +190,7 @@ Compared compare(std::uint64_t seed, std::uint64_t scenes) {
 // At most one in 1000 is beyond twice the half width; one in 5 would be noticed with probability 0.9 on every push, one
 // in 100 nightly. So is an error of 2 % of what is hidden, in one scene of ten.
 TEST(CellSum, AgreesWithThePlainWayInRandomScenes) {
-    const Compared compared = compare(1, test::repetitions(60, 2000));
+    const Compared compared = compare(1, test::repetitions(40, 2000));
     EXPECT_GT(compared.scenes, 20u);
     EXPECT_GT(compared.uncut, compared.scenes / 10);
     EXPECT_GT(compared.scenes - compared.uncut, compared.scenes / 10);
@@ -285,7 +285,7 @@ double seen_exchange(const Scene& scene, const Pair& pair, int side, stats::Draw
 // The risks are those of random scenes of polygons.
 TEST(CellSum, AgreesWithThePlainWayOnRoundSources) {
     Compared compared;
-    for (std::uint32_t k = 0; k < test::repetitions(60, 2000); ++k) {
+    for (std::uint32_t k = 0; k < test::repetitions(40, 2000); ++k) {
         stats::Draws draws(derive_key(Seed{4}, "round scenes"), stats::Resampling::simulation, k);
         const Scene scene = round_scene(draws, false);
         const Pair pair(scene);

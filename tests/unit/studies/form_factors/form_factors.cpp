@@ -136,11 +136,11 @@ TEST(FormFactors, AreBoundedByGeometryWhereThereWasNoTime) {
     EXPECT_EQ(unknown.exchange(0, 1).high, 1) << "not even that was looked at";
 }
 
-// The pilots' interval holds the exact value for at least 0.95 of the seeds; 0.67 would be noticed with probability
+// The pilots' interval holds the exact value for at least 0.95 of the seeds; 0.57 would be noticed with probability
 // 0.99, and nightly 0.82. Intervals of half the width are noticed.
 TEST(FormFactors, HaveValidIntervalsWhenStopped) {
     const double exact = *known_form_factor(built_in_scene("squares_blocked"), 0, 1);
-    const std::uint64_t seeds = test::repetitions(60, 200);
+    const std::uint64_t seeds = test::repetitions(44, 200);
     std::uint64_t held = 0;
     std::uint64_t held_by_halves = 0;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -151,7 +151,7 @@ TEST(FormFactors, HaveValidIntervalsWhenStopped) {
         held += pair.low <= exact && exact <= pair.high;
         held_by_halves += std::abs(exact - pair.value) <= (pair.high - pair.low) / 4;
     }
-    const test::StatisticalRisk risk{.alpha = 1e-4, .detects = test::is_nightly() ? 0.13 : 0.28, .power = 0.99};
+    const test::StatisticalRisk risk{.alpha = 1e-4, .detects = test::is_nightly() ? 0.13 : 0.38, .power = 0.99};
     EXPECT_TRUE(test::has_probability_at_least(held, seeds, 0.95, risk));
     EXPECT_LT(stats::binomial_lower_p({held_by_halves, seeds}, 0.95), 1e-4);
 }

@@ -262,7 +262,7 @@ TEST(SolverRuns, AreKeptForTheFirstTrialsOfTheMethodsOwnCompletion) {
 // With direct rows of independent rays the factors are unbiased. Two errors meet in the second reflection, so that the
 // exitance has a bias, and half the rays make it twice as large: -1 within 6 standard errors of the slope.
 TEST(BiasOrder, IsOneOverNForUnbiasedFactors) {
-    const StudyPlan plan = lit_plan("trials = 20000", R"([[method]]
+    const StudyPlan plan = lit_plan("trials = 15000", R"([[method]]
 name = "SR"
 sampler = "random"
 estimator = "ray_shooting"

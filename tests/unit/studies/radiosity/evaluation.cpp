@@ -28,18 +28,18 @@ StudyPlan lit_ray_plan(std::string_view light, std::string_view patches = "1") {
 // M = (I - rho F)^-1. In a flat box it can be seen: here it is 7 standard errors, and expected within 5 of them.
 TEST(Bias, ComesFromErrorsWithinARowForDirectRows) {
     const double rho = 0.9;
-    const double rays_of_a_face = 8;
-    const double trials = 60000;
+    const double rays_of_a_face = 4;
+    const double trials = 30000;
     const auto results = find_consequences(test::run(test::plan_of(R"([study]
 name = "flat"
 scene = "box:4x4x0.5"
-trials = 60000
+trials = 30000
 seed = 3
 [[method]]
 name = "SR"
 sampler = "random"
 estimator = "ray_shooting"
-samples_per_patch = 8
+samples_per_patch = 4
 [radiosity]
 reflectance = 0.9
 emission = [1, 0, 0, 0, 0, 0]

@@ -2,6 +2,7 @@
 #include "studies/run/run.hpp"
 #include "studies/store/store.hpp"
 #include "tests/support/earlier_stores.hpp"
+#include "tests/support/repetitions.hpp"
 #include "tests/support/studies.hpp"
 
 #include <gtest/gtest.h>
@@ -54,7 +55,7 @@ TEST_F(StoreChecksums, NoticeAFlippedBitThatChangesAnything) {
     const std::string bytes{std::istreambuf_iterator<char>(in), {}};
     std::mt19937_64 random(17);
     int refused = 0;
-    constexpr int copies = 1000;
+    const auto copies = static_cast<int>(test::repetitions(300, 1000));
     for (int copy = 0; copy < copies; ++copy) {
         const std::size_t bit = random() % (8 * bytes.size());
         std::string flipped = bytes;
