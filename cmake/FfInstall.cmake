@@ -53,6 +53,7 @@ ff_install_headers(library ${library_headers})
 install(DIRECTORY studies/built_in/ DESTINATION ${CMAKE_INSTALL_DATADIR}/ffstudy/studies)
 install(DIRECTORY reports/templates/ DESTINATION ${CMAKE_INSTALL_DATADIR}/ffstudy/templates FILES_MATCHING PATTERN "*.mustache" PATTERN "report.*" PATTERN "scene_report.*")
 install(DIRECTORY reports/vendor/ DESTINATION ${CMAKE_INSTALL_DATADIR}/ffstudy/templates)
+install(FILES docs/glossary.md DESTINATION ${CMAKE_INSTALL_DATADIR}/ffstudy/docs)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 install(EXPORT ffstudy FILE ffstudyTargets.cmake NAMESPACE ffstudy:: DESTINATION ${package_dir} COMPONENT library)

@@ -115,22 +115,23 @@ double factor_tolerance_of(const HeatCommand& command) {
         *command.tolerance);
 }
 
-/// The form factors that an earlier run with this scene and these options left in the folder, if it did.
-/// @throws UserError where it has those of another scene or of other options
-bool take_from_folder(studies::form_factors::KeptMatrix& kept, const std::filesystem::path& folder) {
-    if (!std::filesystem::exists(folder / matrix_store_file)) return false;
+/// The form factors that an earlier run left in the folder; nothing where there are none.
+/// @throws UserError where they are of another scene or of other options than those of this run, which would replace
+/// them
+std::optional<studies::form_factors::KeptMatrix> kept_in_folder(const studies::form_factors::KeptMatrix& kept,
+                                                                const std::filesystem::path& folder,
+                                                                bool samples_flows) {
+    if (!std::filesystem::exists(folder / matrix_store_file)) return std::nullopt;
     FormFactorsCommand command;
     command.load = folder;
     studies::form_factors::KeptMatrix there = load_kept_form_factors(command);
-    const std::string difference =
-        studies::form_factors::difference_between(there.source, there.request, kept.source, kept.request);
-    if (!difference.empty())
-        throw UserError(
-            "--out {}: has the form factors of another run ({}). Choose another folder, or the same scene and options.",
-            folder.string(), difference);
-    if (there.matrix.interrupted) return false;
-    kept = std::move(there);
-    return true;
+    const std::string difference = samples_flows ? "not sampled for flows"
+                                                 : studies::form_factors::difference_between(
+                                                       there.source, there.request, kept.source, kept.request);
+    if (difference.empty()) return there;
+    throw UserError(
+        "--out {}: has the form factors of another run ({}). Choose another folder, or the same scene and options.",
+        folder.string(), difference);
 }
 
 const std::vector<std::string> heat_files{"heat.csv",     "groups.csv",  "gebhart.csv",    "heat.json",
@@ -192,9 +193,13 @@ ExitCode find_flows(const HeatCommand& command) {
         sampled = studies::heat::sample_flows(scene, request, cases.front(), scale, tolerance);
         return std::move(sampled->matrix);
     };
-    const bool is_there = out && !is_loaded && !samples_flows && take_from_folder(kept, command.factors.out);
-    if (is_there && !command.factors.quiet)
-        say("note: the form factors are those of an earlier run in {}.\n", command.factors.out.string());
+    auto earlier = out ? kept_in_folder(kept, command.factors.out, samples_flows) : std::nullopt;
+    const bool is_there = earlier && !is_loaded && !earlier->matrix.interrupted;
+    if (is_there) {
+        kept = std::move(*earlier);
+        if (!command.factors.quiet)
+            say("note: the form factors are those of an earlier run in {}.\n", command.factors.out.string());
+    }
     const bool by_signal = !is_loaded && !is_there && compute_form_factors(command.factors, kept, find);
     if (sampled) kept.request.tolerance = sampled->factor_tolerance;
     for (const std::string& warning : reports::form_factor_warnings({kept.scene, kept.request, kept.matrix})) {
@@ -203,9 +208,7 @@ ExitCode find_flows(const HeatCommand& command) {
     }
     if (out) {
         // Kept before anything about the materials can fail. Factors that were sampled for flows are not reused.
-        if (sampled)
-            out->remove(matrix_store_file);
-        else if (!is_there)
+        if (!sampled && !is_there)
             out->replace(matrix_store_file,
                          [&](const auto& store) { studies::form_factors::save_matrix(store, kept); });
     }

@@ -21,6 +21,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -52,8 +53,9 @@ Explanation explanation(std::string kind, const studies::Description& of) {
 }
 
 void show(const Explanation& explained) {
-    print_folded("{} ({})\n{}\n\n{}", explained.name, explained.kind, explained.summary, explained.details);
-    if (!explained.details.ends_with('\n')) print_folded("\n");
+    print_folded("{} ({})\n{}\n", explained.name, explained.kind, explained.summary);
+    if (!explained.details.empty())
+        print_folded("\n{}{}", explained.details, explained.details.ends_with('\n') ? "" : "\n");
     if (!explained.reference.empty()) print_folded("\nSource: [{}], see docs/references.md\n", explained.reference);
 }
 
@@ -119,6 +121,14 @@ std::optional<Scene> find_scene(const std::string& name) {
                : std::nullopt;
 }
 
+/// "form-factors", "Form factor" and "form_factor" are one term.
+std::string as_term(std::string text) {
+    for (char& c : text)
+        c = c == '-' || c == '_' ? ' ' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (text.size() > 2 && text.ends_with('s')) text.pop_back();
+    return text;
+}
+
 /// Everything with that name. @throws UserError where there is nothing
 std::vector<Explanation> explanations_of(const std::string& name, const std::optional<Scene>& scene) {
     if (studies::names_point_file(name) || studies::names_command(name) || samplers::find_added(name) != nullptr)
@@ -142,6 +152,8 @@ std::vector<Explanation> explanations_of(const std::string& name, const std::opt
                          fmt::format("{}\n{}", study.file.string(), studies::to_toml(studies::load_study(study.file))),
                          ""});
     }
+    for (const Term& term : glossary())
+        add_if_named({"term", term.name, term.meaning, "", ""}, as_term(term.name) == as_term(name));
     if (scene) {
         auto [summary, details] = reports::scene_text(*scene, studies::explain_scene(*scene));
         found.push_back({"scene", scene->name, std::move(summary), std::move(details), ""});
@@ -234,7 +246,7 @@ void add_list(ProgramDefinition& program) {
 
 void add_explain(ProgramDefinition& program) {
     add_listing(program, "explain", "Say what something is, its source, its limits", explain, "NAME",
-                "A name that 'list' shows, or a scene file");
+                "A name that 'list' shows, a term of the glossary, or a scene file");
 }
 
 }  // namespace ff::app

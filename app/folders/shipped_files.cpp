@@ -6,6 +6,7 @@
 #include "app/build_info.hpp"
 
 #include <algorithm>
+#include <fstream>
 
 namespace ff::app {
 namespace {
@@ -56,6 +57,28 @@ std::filesystem::path find_study(const std::string& name_or_file) {
     for (const BuiltInStudy& study : list) names.push_back(study.name);
     throw UserError("'{}' is neither a study file nor a built-in study. {}See 'ffstudy list studies'.", name_or_file,
                     did_you_mean(name_or_file, names));
+}
+
+std::vector<Term> glossary() {
+    const auto installed = installed_folder(build_info::installed_documents);
+    std::ifstream file((installed.empty() ? std::filesystem::path(build_info::source_documents) : installed) /
+                       "glossary.md");
+    std::vector<Term> terms;
+    for (std::string line; std::getline(file, line);) {  // "- **term**: meaning", or "- **term, another**: meaning"
+        constexpr std::string_view begin = "- **";
+        constexpr std::string_view middle = "**: ";
+        const std::size_t end = line.find(middle);
+        if (!line.starts_with(begin) || end == std::string::npos) continue;
+        std::string meaning = line.substr(end + middle.size());
+        std::erase(meaning, '*');
+        std::string_view names = std::string_view(line).substr(begin.size(), end - begin.size());
+        while (!names.empty()) {
+            const std::string_view name = names.substr(0, names.find(", "));
+            terms.push_back({std::string(name), meaning});
+            names.remove_prefix(std::min(names.size(), name.size() + 2));
+        }
+    }
+    return terms;
 }
 
 reports::Templates find_templates(const std::filesystem::path& own) {

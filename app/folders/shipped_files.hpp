@@ -26,6 +26,15 @@ std::vector<BuiltInStudy> built_in_studies();
 /// @throws UserError with the nearest name where there is neither
 std::filesystem::path find_study(const std::string& name_or_file);
 
+/// A term of the glossary.
+struct Term {
+    std::string name;
+    std::string meaning;
+};
+
+/// The terms of docs/glossary.md.
+std::vector<Term> glossary();
+
 /// The templates that come with the program; those of `own` take precedence.
 /// @param own  the user's folder; empty: none
 /// @throws IoError where a folder cannot be read

@@ -55,10 +55,27 @@ std::vector<PlanRow> plan_rows(const studies::StudyPlan& plan) {
     return rows;
 }
 
+/// More rows than this nobody reads in a terminal; a file has them all.
+constexpr std::size_t most_rows = 100;
+
+/// The table, or where its rows are if it is long.
+std::string table_or_place(const Table& table, std::string_view file, const TextStyle& style) {
+    return table.rows.size() <= most_rows || style.is_endless()
+               ? text_table(table, style)
+               : fmt::format("({} rows: {})\n", table.rows.size(), file);
+}
+
+/// Nothing for a table without rows.
+std::string titled(const Table& table, std::string_view file, const TextStyle& style) {
+    if (table.rows.empty()) return {};
+    return fmt::format("\n{}\n{}", table.title, table_or_place(table, file, style));
+}
+
 std::string terminal_slopes(const studies::StudyResults& results, const TextStyle& style) {
     if (results.slopes.empty()) return {};
     return fmt::format("\nSlopes of ln(error) on ln(N), ± half of the {:g} % interval\n{}",
-                       100 * results.findings.plan.spec.level, text_table(slopes_table(results), style));
+                       100 * results.findings.plan.spec.level,
+                       table_or_place(slopes_table(results), "slopes.csv", style));
 }
 
 /// More series than this would be unreadable: then only the best and the worst are drawn.
@@ -99,31 +116,27 @@ std::string plot_of(const studies::StudyPlan& plan, std::size_t scene, PairClass
 }
 
 /// Error against evaluations, drawn with letters, where a class of pairs has two ladders or more; only the best and the
-/// worst of more than six.
+/// worst of more than six. A terminal shows no more than six such pictures below each other.
 std::string terminal_plots(const studies::StudyResults& results, const TextStyle& style) {
     if (results.slopes.empty()) return {};
     const studies::StudyPlan& plan = results.findings.plan;
-    std::string out;
+    std::vector<std::string> plots;
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
         for (const PairClass pair_class : pair_classes) {
             std::vector<SizeSeries> ladders = size_series(results, scene, pair_class);
             std::erase_if(ladders, [](const SizeSeries& s) { return s.ladders.empty() || s.points.size() <= 2; });
             // A single ladder is described by its slope.
-            if (ladders.size() > 1) out += plot_of(plan, scene, pair_class, std::move(ladders), style);
+            if (ladders.size() > 1) plots.push_back(plot_of(plan, scene, pair_class, std::move(ladders), style));
         }
     }
-    return out;
-}
-
-/// Nothing for a table without rows.
-std::string titled(const Table& table, const TextStyle& style) {
-    if (table.rows.empty()) return {};
-    return fmt::format("\n{}\n{}", table.title, text_table(table, style));
+    std::erase(plots, std::string());
+    return plots.size() <= at_most || style.is_endless() ? fmt::format("{}", fmt::join(plots, ""))
+                                                         : fmt::format("({} pictures: report.html)\n", plots.size());
 }
 
 /// The table with the sentences below it; only these where there are no rows.
-std::string explained(const Table& table, const TextStyle& style) {
-    std::string out = titled(table, style);
+std::string explained(const Table& table, std::string_view file, const TextStyle& style) {
+    std::string out = titled(table, file, style);
     if (out.empty() && !table.remarks.empty()) out = fmt::format("\n{}\n", table.title);
     for (const std::string& remark : table.remarks) out += remark + "\n";
     return out;
@@ -225,16 +238,16 @@ std::string terminal_summary(const studies::StudyResults& results, const TextSty
     const auto hidden = cells_in_between(results);
     std::string out = fmt::format("{}{}\nseed {}{}\n\n{}", plan.spec.name, title, plan.spec.seed.value,
                                   results.findings.complete ? "" : "  (PARTIAL: stopped early)",
-                                  text_table(summary_table(results, hidden), style));
+                                  table_or_place(summary_table(results, hidden), "summary.csv", style));
     for (const studies::CellAnalysis& found : results.findings.cells) {
         if (found.repeated_trials > 0) out += fmt::format("WARNING {}\n", studies::repeats_in_words(plan, found));
     }
     if (!hidden.empty())
         out += fmt::format("({} sizes{}: summary.csv)\n", hidden.size(),
                            results.occlusion.empty() ? " in between" : " of scenes below");
-    out += titled(occlusion_table(results), style);
+    out += titled(occlusion_table(results), "summary.csv", style);
     if (results.occlusion.empty()) {
-        out += titled(configurations_table(results), style);
+        out += titled(configurations_table(results), "summary.csv", style);
         out += terminal_slopes(results, style);
         out += terminal_plots(results, style);
     }
@@ -244,10 +257,10 @@ std::string terminal_summary(const studies::StudyResults& results, const TextSty
         if (!lines.empty()) out += fmt::format("\n{}\n", fmt::join(lines, "\n"));
     }
     if (results.occlusion.empty()) {
-        out += explained(decisions_table(results, true), style);
-        out += explained(contests_table(results, true), style);
+        out += explained(decisions_table(results, true), "results.json", style);
+        out += explained(contests_table(results, true), "comparisons.csv", style);
     }
-    out += explained(claimed_errors_table(results, Claims::stated), style);
+    out += explained(claimed_errors_table(results, Claims::stated), "claimed_errors.csv", style);
     if (results.published) {
         out += fmt::format("\nPublished: {}\n", results.published->tables.source);
         for (const std::string& line : published_in_brief(*results.published, 1 - plan.spec.level))

@@ -18,6 +18,8 @@ std::string painted(const std::string& text, Mark mark, Colour colour);
 struct TextStyle {
     Colour colour = Colour::none;
     std::size_t width = std::numeric_limits<std::size_t>::max();  ///< columns
+
+    [[nodiscard]] bool is_endless() const { return width == std::numeric_limits<std::size_t>::max(); }
 };
 
 /// The columns of a table for a terminal, as wide as they have to be: titles of groups, titles, rows. Where a row is

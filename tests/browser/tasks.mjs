@@ -68,7 +68,7 @@ const tasks = [
      return inShort(100 * errors[0]);
    }},
   {study: 'coverage', asks: 'Which interval with 5 replicates?',
-   async reads(page) { return (await verdict(page)).match(/From 5 replicates on take ([^:]+):/)?.[1]; },
+   async reads(page) { return (await verdict(page)).match(/From 5 replicates on take ([^:]+?)(?: where the variance is finite)?:/)?.[1]; },
    knows: () => "Student's t"},
 ];
 

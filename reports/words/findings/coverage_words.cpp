@@ -66,6 +66,7 @@ Range range_of(const studies::StudyResults& results, IntervalRule rule, std::opt
 
 std::string coverage_advice(const studies::StudyResults& results) {
     const double level = results.findings.plan.spec.level;
+    const bool without_variance = !range_of(results, IntervalRule::student_t, {}, 0, false).rows.empty();
     auto numbers = results.findings.plan.spec.coverage;
     std::sort(numbers.begin(), numbers.end());
     for (const std::uint64_t fewest : numbers) {
@@ -87,10 +88,9 @@ std::string coverage_advice(const studies::StudyResults& results) {
             const stats::Interval share = stats::clopper_pearson_interval(all, level);
             if (share.low < level - least_precision || share.high < level - tolerated) continue;
             std::string text = fmt::format(
-                "from {} replicates on take {}: its {:g} % intervals contain the exact value in {:.3g} % of runs "
-                "({:.3g} "
-                "to {:.3g})",
-                fewest, rule_in_words(rule), 100 * level,
+                "from {} replicates on take {}{}: its {:g} % intervals contain the exact value in {:.1f} % of runs "
+                "({:.1f} to {:.1f})",
+                fewest, rule_in_words(rule), without_variance ? " where the variance is finite" : "", 100 * level,
                 100.0 * static_cast<double>(all.hits) / static_cast<double>(all.trials), 100 * share.low,
                 100 * share.high);
             if (worst)

@@ -98,6 +98,30 @@ std::vector<std::pair<std::string, int>> most_wins(const StudyResults& results,
     return wins;
 }
 
+/// How a method without a variance in some of these scenes is to be replaced there: "; where its variance is infinite
+/// (3 pairs), take Sobol' rays", by the method whose error is least in most of them; empty where no such method has
+/// one.
+std::string where_variance_is_infinite(const StudyResults& results, const std::vector<const HiddenPair*>& scenes,
+                                       const std::string& taken) {
+    const auto& methods = results.findings.plan.spec.methods;
+    std::vector<int> least(methods.size());
+    std::size_t infinite = 0;
+    for (const HiddenPair* scene : scenes) {
+        const auto is_infinite = [&](std::size_t method) {
+            const auto& found = scene->methods[method];
+            return found && found->error.status == studies::VarianceStatus::infinite;
+        };
+        const auto chosen = std::ranges::find(methods, taken, &studies::Method::name);
+        if (!is_infinite(static_cast<std::size_t>(chosen - methods.begin()))) continue;
+        ++infinite;
+        if (scene->least && !is_infinite(*scene->least)) ++least[*scene->least];
+    }
+    const auto most = std::ranges::max_element(least);
+    if (most == least.end() || *most == 0) return {};
+    return fmt::format("; where its variance is infinite ({}), take {}", counted(infinite, "pair"),
+                       methods[static_cast<std::size_t>(most - least.begin())].name);
+}
+
 }  // namespace
 
 std::string series_in_words(const StudyResults& results, const OcclusionSeries& series) {
@@ -151,7 +175,12 @@ std::string occlusion_advice(const StudyResults& results) {
                                  "take {} where a part is occluded: at about equal evaluations it errs least on "
                                  "{} of {}",
                                  best.front().first, best.front().second, counted(hidden.size(), "pair"));
-    if (best.size() > 1) text += fmt::format(", {} on {}", best[1].first, best[1].second);
+    const std::string instead =
+        best.empty() ? std::string() : where_variance_is_infinite(results, hidden, best.front().first);
+    if (!instead.empty())
+        text += instead;
+    else if (best.size() > 1)
+        text += fmt::format(", {} on {}", best[1].first, best[1].second);
     if (!best_open.empty() && (best.empty() || best_open.front().first != best.front().first))
         text += fmt::format("; unoccluded ({}), take {}", counted(open.size(), "pair"), best_open.front().first);
     return text;

@@ -146,6 +146,41 @@ std::vector<std::string> patch_lines(const studies::StudyResults& results) {
     return lines;
 }
 
+/// " with 25 patches per face" where all compared cells have as many; empty otherwise.
+std::string patches_in_words(const studies::StudyPlan& plan) {
+    std::set<std::uint32_t> patches;
+    for (const std::size_t cell : all_lit_cells(plan)) patches.insert(plan.cells[cell].subdivision.per_part());
+    return patches.size() == 1 && *patches.begin() > 1 ? fmt::format(" with {} patches per face", *patches.begin())
+                                                       : std::string();
+}
+
+/// "; balancing the factors leaves at most 0.2 %" where it is shown to reduce the exitance error of every compared
+/// cell; empty otherwise.
+std::string balancing_in_words(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    const std::size_t told = told_setting(plan);
+    using studies::radiosity::SettingStatistics;
+    const auto low = [](const SettingStatistics& at) {
+        return at.light_interval ? at.light_interval->low : *at.light_error;
+    };
+    const auto high = [](const SettingStatistics& at) {
+        return at.light_interval ? at.light_interval->high : *at.light_error;
+    };
+    double most = 0;
+    for (const std::size_t cell : all_lit_cells(plan)) {
+        const Consequences* own = results.radiosity->find(cell, own_treatment(plan, cell));
+        const Consequences* balanced = results.radiosity->find(cell, Treatment::balanced);
+        if (own->settings.empty() || !own->settings[told].light_error) continue;
+        if (balanced == nullptr || balanced->not_balanced > 0 || balanced->settings.empty() ||
+            !balanced->settings[told].light_error)
+            return {};
+        if (own->trials > 1 && !balanced->settings[told].light_interval) return {};
+        if (high(balanced->settings[told]) >= low(own->settings[told])) return {};
+        most = std::max(most, high(balanced->settings[told]));
+    }
+    return fmt::format("; balancing the factors leaves at most {}", percent(most, 2));
+}
+
 std::string bias_order_line(const studies::StudyResults& results) {
     std::vector<std::string> fitted;
     for (const studies::radiosity::BiasOrder& order : results.bias_orders) {
@@ -261,8 +296,9 @@ std::optional<LightInBrief> light_in_brief(const studies::StudyResults& results)
     for (const auto& [method, at] : errors)
         parts.push_back(fmt::format("{} with {}", light_error_text(*at), plan.spec.methods[method].name));
     brief.clause =
-        fmt::format("at reflectance {} the exitance error is {}{}", brief.reflectance, fmt::join(parts, ", "),
-                    plan.scenes.size() > 1 ? ", in the scene where it is largest" : "");
+        fmt::format("at reflectance {}{} the exitance error is {}{}{}", brief.reflectance, patches_in_words(plan),
+                    fmt::join(parts, ", "), plan.scenes.size() > 1 ? ", in the scene where it is largest" : "",
+                    balancing_in_words(results));
     const auto [least, largest] = std::minmax_element(errors.begin(), errors.end(), [](const auto& a, const auto& b) {
         return *a.second->light_error < *b.second->light_error;
     });

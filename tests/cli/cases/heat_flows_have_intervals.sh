@@ -69,6 +69,15 @@ expect_stderr "its seed is 1, not 2"
 ffstudy heat furnace.obj --materials materials.toml --out cases
 expect_status 2
 expect_stderr "the scene is another"
+ffstudy heat --load heat --materials materials.toml --out cases
+expect_status 2
+expect_stderr "the scene is another"
+ffstudy heat oven.obj --materials oven.toml --scale 0.001 --tolerance-of flux --out cases
+expect_status 2
+expect_stderr "has the form factors of another run (not sampled for flows)"
+ffstudy heat --load cases --materials oven.toml --scale 0.001 --out cases
+expect_status 0
+expect_equal_files alone/heat.csv cases/heat.csv
 {
     printf '[materials]\n"block.*" = { emissivity = 0.8, temperature = 1200 }\n'
     printf '"roof.*" = { emissivity = 0.6, temperature = 400 }\n'

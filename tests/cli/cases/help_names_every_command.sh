@@ -36,6 +36,12 @@ for command in list explain; do
     expect_stdout "samplers"
     expect_stdout "'ffstudy explain sobol'"
 done
+# Terms of the glossary, however they are spelled.
+for term in PDM rmse form-factors "Form factor"; do
+    ffstudy explain "$term"
+    expect_status 0
+    expect_stdout " (term)"
+done
 # json EXPRESSION: true of what was printed.
 json() { python3 -c "import json, sys; value = json.load(open(sys.argv[1])); sys.exit(not ($1))" "$folder/stdout" || fail "expected $1"; }
 ffstudy list --json

@@ -1,6 +1,7 @@
 #include "reports/words/findings/advice.hpp"
 
 #include "reports/words/findings/coverage_words.hpp"
+#include "reports/words/findings/occlusion_words.hpp"
 #include "tests/support/studies.hpp"
 #include "tests/unit/reports/small_study.hpp"
 
@@ -111,6 +112,33 @@ studies::Coverage row(studies::IntervalRule rule, std::uint64_t replicates, std:
     return row;
 }
 
+/// A partly occluded pair on which the first of two methods errs least, or the second where the first has no variance.
+studies::HiddenPair hidden_pair(const studies::StudyPlan& plan, bool first_is_infinite) {
+    studies::HiddenPair pair;
+    pair.hidden = 0.5;
+    pair.exact = 0.1;
+    pair.methods.assign(plan.spec.methods.size(), studies::PairError{});
+    pair.least = first_is_infinite ? 1 : 0;
+    pair.decided = !first_is_infinite;
+    if (first_is_infinite) pair.methods[0]->error.status = studies::VarianceStatus::infinite;
+    return pair;
+}
+
+TEST(OcclusionAdvice, NamesAnotherMethodWhereTheVarianceIsInfinite) {
+    studies::StudyResults results = test::published_results();
+    const studies::StudyPlan& plan = results.findings.plan;
+    const std::string first = plan.spec.methods[0].name;
+    const std::string second = plan.spec.methods[1].name;
+    results.occlusion.emplace_back().scenes = {hidden_pair(plan, false), hidden_pair(plan, false),
+                                               hidden_pair(plan, true)};
+    EXPECT_EQ(occlusion_advice(results),
+              "take " + first +
+                  " where a part is occluded: at about equal evaluations it errs least on 2 of 3 pairs; " +
+                  "where its variance is infinite (1 pair), take " + second);
+    results.occlusion.front().scenes.pop_back();
+    EXPECT_THAT(occlusion_advice(results), testing::Not(testing::HasSubstr("infinite")));
+}
+
 TEST(CoverageAdvice, RecommendsTheRuleNowhereShortWithTheFewestReplicates) {
     using studies::IntervalRule;
     studies::StudyResults results = test::published_results();
@@ -119,8 +147,8 @@ TEST(CoverageAdvice, RecommendsTheRuleNowhereShortWithTheFewestReplicates) {
                         row(IntervalRule::normal, 5, 710, true), row(IntervalRule::normal, 10, 850, true)};
     EXPECT_EQ(
         coverage_advice(results),
-        "from 10 replicates on take Student's t: its 95 % intervals contain the exact value in 94 % of runs (92.3 to "
-        "95.4); normal quantiles in as few as 85.0 %");
+        "from 10 replicates on take Student's t: its 95 % intervals contain the exact value in 94.0 % of runs (92.3 "
+        "to 95.4); normal quantiles in as few as 85.0 %");
     results.coverage[1].covered = 900;
     EXPECT_THAT(coverage_advice(results), testing::StartsWith("no rule is shown to keep its 95 %"));
     results.coverage[1] = row(IntervalRule::student_t, 10, 12, false);
