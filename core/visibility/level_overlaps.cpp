@@ -82,8 +82,8 @@ double common_area(const Surface& a, const Surface& b) {
 }
 
 double level_gap(const Scene& scene) {
-    constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    return std::max({rounding_room * box_around(scene).diagonal().norm(), 8 * epsilon * farthest_coordinate(scene),
+    constexpr double rounding = std::numeric_limits<double>::epsilon();
+    return std::max({rounding_room * box_around(scene).diagonal().norm(), 8 * rounding * farthest_coordinate(scene),
                      planes_off * scene.coordinate_rounding});
 }
 

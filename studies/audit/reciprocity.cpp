@@ -84,7 +84,7 @@ Suspect keeps_reciprocity(const Experiment& experiment, const BothWays& count) {
 void add_reciprocity(const std::map<std::size_t, Range>& printed, double z_limit, ExperimentModel& model) {
     const SceneFacts& facts = model.facts;
     const Experiment& experiment = model.experiment;
-    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
     const std::vector<TiedPair> tied = tied_pairs(model);
     const bool direct = experiment.completion == Completion::direct;
     std::optional<std::size_t> suspect;
@@ -114,8 +114,8 @@ void add_reciprocity(const std::map<std::size_t, Range>& printed, double z_limit
         if (off == 0) {
             add(1, {-chance, chance});
         } else if (off < 0.5) {
-            add(1 - off, {-infinity, chance});
-            add(1 / (1 - off), {-chance, infinity});
+            add(1 - off, {-unbounded, chance});
+            add(1 / (1 - off), {-chance, unbounded});
         }
     }
 }

@@ -46,15 +46,15 @@ bool may_be_occluded(const Scene& scene, PairClass wanted) {
 
 std::vector<Decision> decide(const StudyPlan& plan, std::span<const Contest> contests, Equal equal) {
     if (plan.scenes.size() < 2) return {};
-    std::map<std::pair<PairClass, bool>, std::pair<std::size_t, std::map<std::size_t, Choice>>> kinds;
+    std::map<std::pair<PairClass, bool>, std::pair<std::size_t, std::map<std::size_t, Choice>>> by_kind;
     for (const Contest* contest : main_contests(contests, equal)) {
         const bool occluded = may_be_occluded(plan.scenes[contest->scene], contest->pair_class);
-        auto& [scenes, choices] = kinds[{contest->pair_class, occluded}];
+        auto& [scenes, choices] = by_kind[{contest->pair_class, occluded}];
         ++scenes;
         add_contest(plan, *contest, choices);
     }
     std::vector<Decision> decisions;
-    for (const auto& [kind, found] : kinds) {
+    for (const auto& [kind, found] : by_kind) {
         const auto& [scenes, choices] = found;
         Decision& decision = decisions.emplace_back(Decision{kind.first, kind.second, equal, scenes, {}});
         for (const auto& [method, choice] : choices) decision.choices.push_back(choice);

@@ -22,7 +22,7 @@ TEST(RepeatedTrials, LeaveNothingToTestOrCompare) {
         test::plan_of(test::study_text("trials = 100", "[[method]]\nname = \"mine\"\nestimator = \"few_seeds\"\n"));
     const auto exact = exact_form_factors(plan.scenes.front()).value();
     const auto run_with = [&](std::uint64_t seeds) {
-        return test::fill(plan, [&plan, &exact, seeds](std::size_t cell, std::uint64_t trial, int from, int to) {
+        return test::fill(plan, [&exact, seeds](std::size_t cell, std::uint64_t trial, int from, int to) {
             std::mt19937_64 bits(1000 * (trial % seeds) + 100 * cell + static_cast<std::uint64_t>(10 * from + to));
             return exact(from - 1, to - 1) + std::normal_distribution<double>(0, 1e-3)(bits);
         });
