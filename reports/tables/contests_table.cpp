@@ -85,10 +85,6 @@ std::vector<std::pair<std::string, std::string>> standings(const studies::StudyP
     return all;
 }
 
-std::string kind_of(PairClass pair_class, bool may_be_occluded) {
-    return fmt::format("{}{}", name(pair_class), may_be_occluded ? ", maybe occluded" : "");
-}
-
 /// The quantity that is equal in a table with room for one comparison.
 Equal equal_for_one(const studies::StudyResults& results, bool timed) {
     const bool measured = timed && !studies::main_contests(results.contests, Equal::processor_time).empty();
@@ -169,7 +165,7 @@ Table best_of_scenes(const studies::StudyResults& results, Equal equal) {
                 "Methods that are exact to rounding, or else those that are not shown to be worse than the one with "
                 "the smallest mean square error; and the first that is: how many times as large its mean square error "
                 "is.",
-                columns({"scene", "pairs", "best", "next"})};
+                columns({"scene", "pairs", "kind", "best", "next"})};
     for (const Contest* contest : studies::main_contests(results.contests, equal)) {
         std::vector<std::string> best = names_of_exact(plan, *contest);
         for (std::string& method : best) method += " (exact)";
@@ -180,9 +176,9 @@ Table best_of_scenes(const studies::StudyResults& results, Equal equal) {
                 next = fmt::format("{}: {}", name_of(plan, *contest, i), standing(*contest, i).substr(3));
         }
         const Scene& scene = plan.scenes[contest->scene];
-        table.rows.push_back({scene.name,
-                              kind_of(contest->pair_class, studies::may_be_occluded(scene, contest->pair_class)),
-                              listed(best), next});
+        table.rows.push_back({scene.name, std::string(name(contest->pair_class)),
+                              std::string(kind_in_words(studies::pair_kind(scene, contest->pair_class))), listed(best),
+                              next});
     }
     return table;
 }
@@ -199,10 +195,11 @@ Table decisions_table(const studies::StudyResults& results, bool timed) {
     const Equal equal = equal_for_one(results, timed);
     Table table{
         "decisions", fmt::format("Which method to take, at {}", in_words(equal)),
-        "Of each kind of pairs the methods that are best in the most scenes: nothing is shown to have a smaller "
-        "mean square error, which may be that of rounding. In parentheses in how many of the scenes that they can do, "
+        "Of each kind of pairs the methods that are best in the most cases (scenes and classes of pairs): nothing is "
+        "shown to have a smaller mean square error, which may be that of rounding. In parentheses in how many of the "
+        "cases that they can do, "
         "and how many times the smallest mean square error they make where they do worst.",
-        columns({"pairs", ">scenes", "take", "or"})};
+        columns({"pairs", ">cases", "take", "or"})};
     for (const studies::Decision& decision : studies::decide(plan, results.contests, equal)) {
         // All methods that are best as often as the one at this place.
         const auto alike = [&](std::size_t place) {
@@ -226,8 +223,8 @@ Table decisions_table(const studies::StudyResults& results, bool timed) {
                                           : ", elsewhere another is exact";
             return fmt::format("{} ({} of {}{})", listed(names), choice.best, choice.entered, worst);
         };
-        table.rows.push_back({kind_of(decision.pair_class, decision.may_be_occluded), std::to_string(decision.scenes),
-                              text(0), text(alike(0).size())});
+        table.rows.push_back({std::string(kind_in_words(decision.kind)), std::to_string(decision.cases), text(0),
+                              text(alike(0).size())});
     }
     if (!timed && !table.rows.empty()) table.remarks.emplace_back(measured_elsewhere);
     return table;

@@ -104,8 +104,26 @@ std::string listed(std::vector<std::string> names, std::size_t most, std::string
     return fmt::format("{} {} {}", fmt::join(names, ", "), conjunction, last);
 }
 
-std::string kind_of_pairs(PairClass pair_class, bool may_be_occluded) {
-    return fmt::format("{}{} pairs", may_be_occluded ? "possibly occluded " : "", name(pair_class));
+std::string_view kind_in_words(studies::PairKind kind) {
+    switch (kind) {
+        case studies::PairKind::parallel:
+            return "parallel";
+        case studies::PairKind::adjacent:
+            return "adjacent";
+        case studies::PairKind::other:
+            return "other";
+        case studies::PairKind::small:
+            return "far or small";
+        case studies::PairKind::occluded:
+            return "maybe occluded";
+        case studies::PairKind::occluded_adjacent:
+            return "maybe occluded, adjacent";
+        case studies::PairKind::curved:
+            return "curved";
+        case studies::PairKind::curved_adjacent:
+            break;
+    }
+    return "curved, adjacent";
 }
 
 std::string on_pairs(const studies::StudyPlan& plan, std::size_t scene, std::string_view classes) {

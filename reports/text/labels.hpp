@@ -1,6 +1,7 @@
 #pragma once
 
 #include "studies/analysis/slopes.hpp"
+#include "studies/comparison/decisions.hpp"
 #include "studies/store/store.hpp"
 
 #include <cstddef>
@@ -42,8 +43,8 @@ std::string of_scene(const studies::StudyPlan& plan, std::size_t scene);
 /// are quoted.
 std::string listed(std::vector<std::string> names, std::size_t most = 4, std::string_view conjunction = "and");
 
-/// "adjacent pairs", "possibly occluded adjacent pairs"
-std::string kind_of_pairs(PairClass pair_class, bool may_be_occluded);
+/// "adjacent", "maybe occluded, adjacent"
+std::string_view kind_in_words(studies::PairKind kind);
 
 /// The pairs of classes in words: "on parallel pairs", "on parallel and adjacent pairs of cube".
 std::string on_pairs(const studies::StudyPlan& plan, std::size_t scene, std::string_view classes);

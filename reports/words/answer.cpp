@@ -111,13 +111,13 @@ std::optional<MainFinding> on_choice(const StudyResults& results) {
     if (results.slopes.empty() || studies::configuration_estimates(results.findings).empty()) return std::nullopt;
     MainFinding found{.subject = Subject::choice,
                       .question = "Which method is best on which kind of pairs?",
-                      .title = "The methods that are best in the most scenes.",
-                      .axis = "share of scenes where nothing is shown to be better",
-                      .note = "At equal evaluations, of the scenes that a method can do."};
+                      .title = "The methods that are best in the most cases.",
+                      .axis = "share of cases where nothing is shown to be better",
+                      .note = "At equal evaluations, of the cases (scenes and classes of pairs) that a method can do."};
     for (const studies::Decision& decision : studies::decide(plan, results.contests, studies::Equal::evaluations)) {
         if (decision.choices.empty()) continue;
         const studies::Choice& first = decision.choices.front();
-        const std::string kind = kind_of_pairs(decision.pair_class, decision.may_be_occluded);
+        const std::string kind = fmt::format("{} pairs", kind_in_words(decision.kind));
         const bool begins = found.clauses.empty();
         std::vector<std::string> names;
         for (const studies::Choice& choice : decision.choices) {
@@ -126,10 +126,9 @@ std::optional<MainFinding> on_choice(const StudyResults& results) {
         }
         found.clauses.push_back(fmt::format("{}on {} take {} ({}{} of {}{})", begins ? "at equal evaluations " : "",
                                             kind, listed(std::move(names), 3, "or"), begins ? "best in " : "",
-                                            first.best, first.entered, begins ? " scenes" : ""));
+                                            first.best, first.entered, begins ? " cases" : ""));
         Ranking& ranking = found.rankings.emplace_back();
-        ranking.heading =
-            decision.may_be_occluded ? fmt::format("{}, maybe occluded", name(decision.pair_class)) : kind;
+        ranking.heading = kind;
         constexpr std::size_t most_methods = 5;
         for (const studies::Choice& choice : decision.choices) {
             if (ranking.methods.size() == most_methods) break;

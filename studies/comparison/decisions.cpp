@@ -2,6 +2,7 @@
 
 #include "core/exact/known_factors.hpp"
 #include "core/visibility/occlusion.hpp"
+#include "studies/analysis/class_error.hpp"
 #include "studies/trials/estimates.hpp"
 
 #include <algorithm>
@@ -37,26 +38,38 @@ void add_contest(const StudyPlan& plan, const Contest& contest, std::map<std::si
 
 }  // namespace
 
-bool may_be_occluded(const Scene& scene, PairClass wanted) {
+PairKind pair_kind(const Scene& scene, PairClass pair_class) {
+    constexpr double small = 0.02;
+    const KnownFactors known = known_factors(scene);
     const auto all = distinct_pairs(scene.faces.size(), Completion::direct);
-    const auto pairs = pairs_of_class(scene, known_pairs(all, known_factors(scene)), wanted);
-    return std::ranges::any_of(
-        pairs, [&](const Quantity pair) { return ff::may_be_occluded(scene, pair.from - 1, pair.to - 1); });
+    const auto pairs = pairs_of_class(scene, known_pairs(all, known), pair_class);
+    const bool adjacent = pair_class == PairClass::adjacent;
+    const auto is_round = [&](const Surface& surface) {
+        const auto ends_there = [&](const Quantity pair) {
+            return surface.face == pair.from - 1 || surface.face == pair.to - 1;
+        };
+        return !is_polygon(surface.shape) && std::ranges::any_of(pairs, ends_there);
+    };
+    if (std::ranges::any_of(scene.surfaces, is_round)) return adjacent ? PairKind::curved_adjacent : PairKind::curved;
+    const auto is_occluded = [&](const Quantity pair) { return may_be_occluded(scene, pair.from - 1, pair.to - 1); };
+    if (std::ranges::any_of(pairs, is_occluded)) return adjacent ? PairKind::occluded_adjacent : PairKind::occluded;
+    if (std::ranges::all_of(pairs, [&](const Quantity pair) { return *known.at(pair.from - 1, pair.to - 1) < small; }))
+        return PairKind::small;
+    return adjacent ? PairKind::adjacent : pair_class == PairClass::parallel ? PairKind::parallel : PairKind::other;
 }
 
 std::vector<Decision> decide(const StudyPlan& plan, std::span<const Contest> contests, Equal equal) {
     if (plan.scenes.size() < 2) return {};
-    std::map<std::pair<PairClass, bool>, std::pair<std::size_t, std::map<std::size_t, Choice>>> by_kind;
+    std::map<PairKind, std::pair<std::size_t, std::map<std::size_t, Choice>>> by_kind;
     for (const Contest* contest : main_contests(contests, equal)) {
-        const bool occluded = may_be_occluded(plan.scenes[contest->scene], contest->pair_class);
-        auto& [scenes, choices] = by_kind[{contest->pair_class, occluded}];
-        ++scenes;
+        auto& [cases, choices] = by_kind[pair_kind(plan.scenes[contest->scene], contest->pair_class)];
+        ++cases;
         add_contest(plan, *contest, choices);
     }
     std::vector<Decision> decisions;
     for (const auto& [kind, found] : by_kind) {
-        const auto& [scenes, choices] = found;
-        Decision& decision = decisions.emplace_back(Decision{kind.first, kind.second, equal, scenes, {}});
+        const auto& [cases, choices] = found;
+        Decision& decision = decisions.emplace_back(Decision{kind, equal, cases, {}});
         for (const auto& [method, choice] : choices) decision.choices.push_back(choice);
         std::ranges::stable_sort(decision.choices, [](const Choice& a, const Choice& b) {
             return a.best != b.best ? a.best > b.best : a.largest_handicap < b.largest_handicap;

@@ -8,27 +8,39 @@
 
 namespace ff::studies {
 
-/// The results of a method on all scenes of a kind.
+/// The results of a method in all cases of a kind.
 struct Choice {
     std::size_t method = 0;       ///< index into StudySpec::methods
-    std::size_t entered = 0;      ///< scenes
-    std::size_t best = 0;         ///< scenes where nothing is shown to be better
+    std::size_t entered = 0;      ///< cases
+    std::size_t best = 0;         ///< cases where nothing is shown to be better
     double largest_handicap = 1;  ///< largest estimated ratio to the best entrant; infinite where another is exact
 };
 
+/// What decides which method suits a pair of faces. Surfaces that see themselves, as round ones, may occlude each
+/// other.
+enum class PairKind {
+    parallel,           ///< polygons that see all of each other, in parallel planes
+    adjacent,           ///< the same, with a common edge
+    other,              ///< the same, with another position
+    small,              ///< the same, with form factors below 0.02: far away or small
+    occluded,           ///< polygons between which something may stand
+    occluded_adjacent,  ///< the same, with a common edge
+    curved,             ///< a round surface is among them
+    curved_adjacent,    ///< the same, with a common edge
+};
+
+/// The kind of the pairs of a class of a scene, of those with an exact value.
+PairKind pair_kind(const Scene& scene, PairClass pair_class);
+
 /// Which method to take for a kind of pairs, by the main contests of a study.
 struct Decision {
-    PairClass pair_class = PairClass::other;
-    bool may_be_occluded = false;  ///< whether something may stand in between
+    PairKind kind = PairKind::other;
     Equal equal = Equal::evaluations;
-    std::size_t scenes = 0;
+    std::size_t cases = 0;        ///< scenes and classes of pairs
     std::vector<Choice> choices;  ///< most often best first; ties by the smaller handicap
 };
 
 /// Empty where a study has one scene.
 std::vector<Decision> decide(const StudyPlan& plan, std::span<const Contest> contests, Equal equal);
-
-/// Whether something may stand between two faces of a class, among pairs with an exact value.
-bool may_be_occluded(const Scene& scene, PairClass wanted);
 
 }  // namespace ff::studies

@@ -222,6 +222,20 @@ TEST(Contests, HaveSimultaneousIntervals) {
     EXPECT_LE(failures, test::is_nightly() ? 12 : 8);
 }
 
+TEST(PairKind, IsThatOfTheWorstPairOfAClass) {
+    const auto kind = [](std::string_view scene, PairClass pair_class) {
+        return pair_kind(make_scene(std::string(scene)), pair_class);
+    };
+    EXPECT_EQ(kind("cube", PairClass::parallel), PairKind::parallel);
+    EXPECT_EQ(kind("cube", PairClass::adjacent), PairKind::adjacent);
+    EXPECT_EQ(kind("box:1x1x16", PairClass::adjacent), PairKind::adjacent);
+    EXPECT_EQ(kind("parallel_squares_far", PairClass::parallel), PairKind::small);
+    EXPECT_EQ(kind("squares_blocked:0.5", PairClass::parallel), PairKind::occluded);
+    EXPECT_EQ(kind("nested_cubes:3", PairClass::adjacent), PairKind::occluded_adjacent);
+    EXPECT_EQ(kind("coaxial_discs_equal", PairClass::parallel), PairKind::curved);
+    EXPECT_EQ(kind("cylinder_wall", PairClass::adjacent), PairKind::curved_adjacent);
+}
+
 TEST(Decisions, CountTheScenesWhereAMethodIsBest) {
     const auto plan = test::plan_of(R"([study]
 name = "test"
@@ -247,14 +261,12 @@ samples_per_patch = 256
 )");
     const Store store = test::run(plan);
     const auto decisions = decide(plan, hold_contests(store, analyse(store)), Equal::evaluations);
-    const auto kind = [&](PairClass pair_class, bool occluded) -> const Decision& {
-        return *std::find_if(decisions.begin(), decisions.end(), [&](const Decision& decision) {
-            return decision.pair_class == pair_class && decision.may_be_occluded == occluded;
-        });
+    const auto of_kind = [&](PairKind kind) -> const Decision& {
+        return *std::ranges::find(decisions, kind, &Decision::kind);
     };
-    EXPECT_EQ(kind(PairClass::parallel, false).scenes, 2u);
-    EXPECT_EQ(kind(PairClass::parallel, true).scenes, 1u);
-    const auto& occluded = kind(PairClass::parallel, true).choices;
+    EXPECT_EQ(of_kind(PairKind::parallel).cases, 2u);
+    EXPECT_EQ(of_kind(PairKind::occluded).cases, 1u);
+    const auto& occluded = of_kind(PairKind::occluded).choices;
     ASSERT_EQ(occluded.size(), 2u);
     EXPECT_EQ(plan.spec.methods[occluded[0].method].name, "polygons");
     EXPECT_EQ(occluded[0].best, 1u);
