@@ -57,7 +57,7 @@ class RankingRows {
     }
 
     [[nodiscard]] std::size_t rows() const { return rows_; }
-    [[nodiscard]] bool full() const { return blocks_ >= most_blocks; }
+    [[nodiscard]] bool full() const { return blocks_ >= most_blocks && blocks_ + rows_ >= most_lines; }
 
     Picture picture(const RankingText& text) {
         const auto styles = method_styles(results_, chosen_);
@@ -82,7 +82,8 @@ class RankingRows {
     }
 
   private:
-    static constexpr std::size_t most_blocks = 4;
+    static constexpr std::size_t most_blocks = 4;  // unless they are so short that there is room for more
+    static constexpr std::size_t most_lines = 30;
     const studies::StudyResults& results_;
     const MethodChoice& chosen_;
     bool begun_ = false;  ///< whether the heading of this block is written

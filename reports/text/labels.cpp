@@ -113,17 +113,17 @@ std::string_view kind_in_words(studies::PairKind kind) {
         case studies::PairKind::other:
             return "other";
         case studies::PairKind::small:
-            return "far or small";
+            return "far";
         case studies::PairKind::occluded:
             return "maybe occluded";
         case studies::PairKind::occluded_adjacent:
-            return "maybe occluded, adjacent";
+            return "adjacent, maybe occluded";
         case studies::PairKind::curved:
             return "curved";
         case studies::PairKind::curved_adjacent:
             break;
     }
-    return "curved, adjacent";
+    return "adjacent curved";
 }
 
 std::string on_pairs(const studies::StudyPlan& plan, std::size_t scene, std::string_view classes) {

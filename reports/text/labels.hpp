@@ -43,7 +43,7 @@ std::string of_scene(const studies::StudyPlan& plan, std::size_t scene);
 /// are quoted.
 std::string listed(std::vector<std::string> names, std::size_t most = 4, std::string_view conjunction = "and");
 
-/// "adjacent", "maybe occluded, adjacent"
+/// "adjacent", "adjacent, maybe occluded"
 std::string_view kind_in_words(studies::PairKind kind);
 
 /// The pairs of classes in words: "on parallel pairs", "on parallel and adjacent pairs of cube".

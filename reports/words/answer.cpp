@@ -114,29 +114,49 @@ std::optional<MainFinding> on_choice(const StudyResults& results) {
                       .title = "The methods that are best in the most cases.",
                       .axis = "share of cases where nothing is shown to be better",
                       .note = "At equal evaluations, of the cases (scenes and classes of pairs) that a method can do."};
+    // Kinds of pairs with the same best methods are one clause; those with the most cases come first.
+    struct Taken {
+        std::vector<std::string> methods;
+        std::vector<std::string> kinds;
+        std::size_t best = 0;
+        std::size_t entered = 0;
+    };
+    std::vector<Taken> all;
     for (const studies::Decision& decision : studies::decide(plan, results.contests, studies::Equal::evaluations)) {
         if (decision.choices.empty()) continue;
         const studies::Choice& first = decision.choices.front();
-        const std::string kind = fmt::format("{} pairs", kind_in_words(decision.kind));
-        const bool begins = found.clauses.empty();
+        const std::string kind(kind_in_words(decision.kind));
         std::vector<std::string> names;
         for (const studies::Choice& choice : decision.choices) {
             if (choice.best == first.best && choice.entered == first.entered)
                 names.push_back(plan.spec.methods[choice.method].name);
         }
-        found.clauses.push_back(fmt::format("{}on {} take {} ({}{} of {}{})", begins ? "at equal evaluations " : "",
-                                            kind, listed(std::move(names), 3, "or"), begins ? "best in " : "",
-                                            first.best, first.entered, begins ? " cases" : ""));
+        auto same = std::ranges::find(all, names, &Taken::methods);
+        if (same == all.end()) {
+            same = all.insert(same, Taken());
+            same->methods = std::move(names);
+        }
+        same->kinds.push_back(kind);
+        same->best += first.best;
+        same->entered += first.entered;
         Ranking& ranking = found.rankings.emplace_back();
-        ranking.heading = kind;
-        constexpr std::size_t most_methods = 5;
+        ranking.heading = fmt::format("{} pairs", kind);
+        constexpr std::size_t most_methods = 3;
         for (const studies::Choice& choice : decision.choices) {
-            if (ranking.methods.size() == most_methods) break;
+            if (ranking.methods.size() == most_methods || choice.best == 0) break;
             ranking.methods.push_back({plan.spec.methods[choice.method].name, choice.method, "",
                                        static_cast<double>(choice.best) / static_cast<double>(choice.entered),
                                        std::nullopt, std::nullopt,
                                        fmt::format("{} of {}", choice.best, choice.entered)});
         }
+    }
+    std::ranges::stable_sort(all, std::ranges::greater(), &Taken::entered);
+    for (const Taken& taken : all) {
+        const bool begins = found.clauses.empty();
+        found.clauses.push_back(fmt::format("{}{} on {} pairs ({}{} of {}{})",
+                                            begins ? "at equal evaluations take " : "", listed(taken.methods, 3, "or"),
+                                            listed(taken.kinds), begins ? "best in " : "", taken.best, taken.entered,
+                                            begins ? " cases" : ""));
     }
     if (found.clauses.empty()) return std::nullopt;
     return found;
