@@ -111,10 +111,12 @@ std::optional<double> p_of_independence(std::span<const double> values, std::siz
     double variables = 0;
     for (std::size_t first = 0; first < values.size(); first += repetitions) {
         const auto variable = values.subspan(first, repetitions);
-        const double mean = std::accumulate(variable.begin(), variable.end(), 0.0) / static_cast<double>(repetitions);
+        // From the first value on, so that a constant has no spread by rounding either.
+        for (std::size_t i = 0; i < repetitions; ++i) centred[i] = variable[i] - variable[0];
+        const double mean = std::accumulate(centred.begin(), centred.end(), 0.0) / static_cast<double>(repetitions);
         double squares = 0;
         for (std::size_t i = 0; i < repetitions; ++i) {
-            centred[i] = variable[i] - mean;
+            centred[i] -= mean;
             squares += centred[i] * centred[i];
         }
         if (squares == 0) continue;
@@ -126,7 +128,7 @@ std::optional<double> p_of_independence(std::span<const double> values, std::siz
     }
     if (variables < 2) return std::nullopt;
     const double squares = std::inner_product(outer.begin(), outer.end(), outer.begin(), 0.0);
-    const double of_pairs = (squares - variables) / 2;
+    const double of_pairs = std::max(0.0, (squares - variables) / 2);  // orthogonal variables: 0 but for rounding
     const auto freedom = static_cast<double>(repetitions - 1);
     const double pairs = variables * (variables - 1) / 2;
     const double mean = pairs / freedom;

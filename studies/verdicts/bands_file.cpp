@@ -215,6 +215,10 @@ void read_covariance(const TomlReader& reader, Gate& gate) {
                                         : "(it belongs to combine = \"chi_squared\"). Remove the key, or add that.");
     if (!known) return;
     const std::string covariance(reader.text("covariance"));
+    if (covariance == "independent" && reader.optional_number("reference_se").value_or(0) > 0)
+        reader.fail("reference_se",
+                    "(all bins share the error of the reference, so they are not independent). Give a covariance that "
+                    "includes it, or take combine = \"holm\".");
     if (covariance != "independent")
         gate.covariance = std::filesystem::path(reader.origin()).parent_path() / covariance;
 }

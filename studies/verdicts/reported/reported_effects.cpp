@@ -278,8 +278,8 @@ void expect_independent_bins(BinComparison& comparing, const Bins& bins) {
 MeanReference mean_of(Rows runs) {
     const auto n = static_cast<double>(runs.size());
     if (runs.size() == 1) return {runs[0].mean, runs[0].standard_error, runs[0].n > 0 ? runs[0].n - 1 : infinity};
-    MeanReference mean;
-    for (const ReportedRow& run : runs) mean.value += run.mean / n;
+    MeanReference mean{.value = runs[0].mean};  // so that equal runs have no spread by rounding
+    for (const ReportedRow& run : runs) mean.value += (run.mean - runs[0].mean) / n;
     double squares = 0;
     if (runs.size() >= enough_runs) {
         for (const ReportedRow& run : runs) squares += (run.mean - mean.value) * (run.mean - mean.value) / (n - 1);

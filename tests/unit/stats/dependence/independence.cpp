@@ -58,5 +58,20 @@ TEST(Independence, NeedsFourRepetitionsOfTwoVariablesThatVary) {
     EXPECT_TRUE(p_of_independence(std::vector<double>{1, 2, 3, 5, 7, 7, 7, 8}, 4));
 }
 
+// Before rounding was allowed for, a constant 0.2 had a spread, and 4 of these 32 pairs a negative sum of squares.
+TEST(Independence, TakesRoundingForWhatItIs) {
+    std::vector<double> values(24, 0.2);
+    for (std::size_t i = 0; i < 12; ++i) values[i] = static_cast<double>(i);
+    EXPECT_FALSE(p_of_independence(values, 12)) << "one of the two does not vary";
+    for (int i = 1; i <= 32; ++i) {
+        const double a = 0.1 * i;
+        const double b = 0.37 * i;
+        const auto p =
+            p_of_independence(std::vector<double>{b + a, b + a, b - a, b - a, b + a, b - a, b + a, b - a}, 4);
+        ASSERT_TRUE(p);
+        EXPECT_NEAR(*p, 1, 1e-9);
+    }
+}
+
 }  // namespace
 }  // namespace ff::stats

@@ -211,6 +211,9 @@ TEST(BandsFile, AcceptsReportedQuantitiesWithTheirOwnKeysOnly) {
                 HasSubstr("covariance: missing"));
     EXPECT_THAT(refusal_of_bands(foreign("kind = \"equal\"\nband = 1e-3\ncovariance = \"c.csv\"")),
                 HasSubstr("it belongs to combine"));
+    EXPECT_THAT(refusal_of_bands(foreign("kind = \"bias\"\nreference = 1\nreference_se = 0.1\nband = 1e-3\n"
+                                         "combine = \"chi_squared\"\ncovariance = \"independent\"")),
+                HasSubstr("all bins share the error of the reference"));
     EXPECT_THAT(refusal_of_bands(foreign("kind = \"std_error\"\nband = 0.5\ncombine = \"chi_squared\"")),
                 HasSubstr("covariances are of means"));
     EXPECT_THAT(refusal_of_bands(foreign("kind = \"std_error\"\nband = 0.5\nrelative = true")), HasSubstr("relative"));

@@ -127,6 +127,18 @@ TEST(GatesOnMeans, AllowForSkewedRunsInEveryBin) {
     EXPECT_GE(failures(std::normal_distribution<double>(1.3, 0.1)), 380);
 }
 
+// A mean of 0.2 that is summed up from shares of it is not 0.2, and had a standard error of 1e-17.
+TEST(GatesOnMeans, RefuseABinWhoseRunsAreAllEqual) {
+    Gate gate = gate_of_means(GateKind::bias, {-1e-3, 1e-3});
+    gate.against = Against::number;
+    for (const int runs : {10, 12, 13, 37}) {
+        std::string text = "quantity,bin,run,mean\n";
+        for (int run = 0; run < runs; ++run) text += fmt::format("flux,a,{0},0.2\nflux,b,{0},{1}\n", run, run % 7);
+        const auto file = parse_reported(text, "runs.csv", StandardErrors::optional);
+        EXPECT_THROW(judged_means(gate, file), UserError) << runs;
+    }
+}
+
 // A sum of squares over bins is for normal means. Of 200 files of normal runs, one that is called skewed has
 // probability 0.02; all of 200 of exponential runs are, whose sums of squares would fail 13 times as often as stated.
 TEST(GatesOnMeans, JudgeNoSumOfSquaresOfSkewedRuns) {
