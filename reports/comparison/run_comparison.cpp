@@ -161,7 +161,7 @@ std::string answer(const RunComparison& comparison) {
         return fmt::format("{} to {}", brief(interval.low), brief(interval.high));
     };
     if (!lead.decided) {
-        return fmt::format("Neither run is better: the RMSE of {} is {} times that of {}{}. ", second,
+        return fmt::format("Neither run is shown to be better: the RMSE of {} is {} times that of {}{}. ", second,
                            range(*lead.ratios), first,
                            lead.compared == 1 ? "" : fmt::format(" in each of {} comparisons", lead.compared));
     }

@@ -29,6 +29,7 @@ std::string_view name(studies::VarianceStatus status) {
 Json bias_json(const studies::StudyPlan& plan, const studies::CellAnalysis& found) {
     if (!found.bias) return nullptr;
     const studies::BiasFamily& family = *found.bias;
+    const std::optional<stats::UnseenValue>& beyond = family.unseen_beyond_margin;
     const Scene& scene = plan.scenes[plan.cells[found.cell].scene];
     return {{"finding", name(found.bias_finding)},
             {"pairs", family.pairs},
@@ -53,12 +54,14 @@ Json bias_json(const studies::StudyPlan& plan, const studies::CellAnalysis& foun
             {"alpha", 1.0 - plan.spec.level},
             {"power", plan.spec.power},
             {"few_trials", family.few_trials},
-            {"minimum_detectable_bias", family.minimum_detectable_bias},
+            {"minimum_detectable_bias", optional_json(family.minimum_detectable_bias)},
             {"equivalence",
              {{"finding", name(found.equivalence)},
               {"margin", optional_json(family.margin)},
               {"shown_below", std::isfinite(family.shown_below) ? Json(family.shown_below) : Json(nullptr)},
-              {"planned_margin", family.planned_margin}}}};
+              {"planned_margin", family.planned_margin},
+              {"unseen_value", beyond ? Json(beyond->value) : Json(nullptr)},
+              {"unseen_once_in", beyond ? Json(beyond->one_in) : Json(nullptr)}}}};
 }
 
 Json nodes_json(const studies::Method& method) {

@@ -62,6 +62,15 @@ Matrix inverse_of(const Matrix& factor) {
 
 }  // namespace
 
+bool is_positive_definite(std::span<const double> matrix, std::size_t size) {
+    FF_EXPECT(matrix.size() == size * size);
+    Matrix factor = zeros(size);
+    for (std::size_t i = 0; i < size; ++i) {
+        for (std::size_t j = 0; j < size; ++j) factor[i][j] = matrix[i * size + j];
+    }
+    return factorise(factor);
+}
+
 /// Coordinate descent in the box. The distance is convex, so that from any point it falls by no more than the largest
 /// descent of its tangent within the box.
 std::optional<double> distance_to_box(std::span<const double> x, std::span<const double> low,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -13,5 +14,9 @@ namespace ff::stats {
 /// @pre low <= high, all finite; as many of each as coordinates
 std::optional<double> distance_to_box(std::span<const double> x, std::span<const double> low,
                                       std::span<const double> high, std::span<const double> covariance);
+
+/// Whether a symmetric matrix with ones, or about ones, on its diagonal is positive definite, up to rounding.
+/// @param matrix  row by row @pre size * size numbers
+bool is_positive_definite(std::span<const double> matrix, std::size_t size);
 
 }  // namespace ff::stats

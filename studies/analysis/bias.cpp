@@ -157,19 +157,38 @@ bool withdraw_what_others_explain(const PairTester& tester, std::span<const Quan
     return some;
 }
 
-/// The value of a trial that would explain the difference on a pair; empty where there can be none.
-std::optional<stats::UnseenValue> unseen_value(const PairTester& tester, const PairTest& found,
-                                               const Summary& summary) {
-    if (!found.mean) return std::nullopt;
-    const auto unseen = stats::unseen_value(*summary.mean, *summary.reference, summary.trials, tester.pair_alpha / 2);
+/// Whether the law of a method's estimates is about that of hits: points of a sampler from outside may lie together.
+bool has_known_law(const Method& method) {
+    return !method.sampler.empty() && samplers::find(method.sampler).info.spread != samplers::Spread::other;
+}
+
+/// The value that would make `truth` the mean if all trials had missed it, except with probability `tail`; empty where
+/// there can be none.
+std::optional<stats::UnseenValue> unseen_value(const PairTester& tester, const Summary& summary, double truth,
+                                               double tail) {
+    const auto unseen = stats::unseen_value(*summary.mean, truth, summary.trials, tail);
     const double largest = estimator_info(tester.method()).largest_value;
     const bool impossible = std::isfinite(largest) && (unseen.value < 0 || unseen.value > largest);
     return impossible ? std::nullopt : std::optional(unseen);
 }
 
-/// Whether the law of a method's estimates is about that of hits: points of a sampler from outside may lie together.
-bool has_known_law(const Method& method) {
-    return !method.sampler.empty() && samplers::find(method.sampler).info.spread != samplers::Spread::other;
+/// The value that would explain the difference on a pair; empty where there can be none.
+std::optional<stats::UnseenValue> what_explains(const PairTester& tester, const PairTest& found,
+                                                const Summary& summary) {
+    if (!found.mean) return std::nullopt;
+    return unseen_value(tester, summary, *summary.reference, tester.pair_alpha / 2);
+}
+
+/// Keeps the value closest to the mean of its pair that would put a pair outside the margin.
+void look_beyond_margin(const PairTester& tester, const PairTest& found, const Summary& summary, BiasFamily& family,
+                        double& least_step) {
+    if (!family.margin || (found.bounded && has_known_law(tester.method()))) return;
+    for (const double side : {-1.0, 1.0}) {
+        const auto unseen = unseen_value(tester, summary, *summary.reference + side * *family.margin, tester.alpha);
+        if (!unseen || std::abs(unseen->value - *summary.mean) >= least_step) continue;
+        least_step = std::abs(unseen->value - *summary.mean);
+        family.unseen_beyond_margin = unseen;
+    }
 }
 
 bool leaves_out(const stats::Interval& interval, double margin) {
@@ -223,6 +242,7 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
     std::vector<double> student_p;
     std::vector<std::size_t> constants;  // places in p_values of pairs with one value in every trial
     double largest_std = 0;
+    double least_step = std::numeric_limits<double>::infinity();  // from a mean to BiasFamily::unseen_beyond_margin
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const Summary& summary = summary_of(pairs[i]);
         const auto& test = tests[i];
@@ -261,15 +281,16 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
             family.largest_t = std::abs(test->t);
             family.largest_pair = pairs[i];
             family.may_be_unmet = tester.may_be_unmet(summary);
-            family.unseen = unseen_value(tester, *test, summary);
+            family.unseen = what_explains(tester, *test, summary);
         }
         if (test->strict.is_finite()) {
             family.minimum_detectable_bias =
-                std::max(family.minimum_detectable_bias, summary.minimum_detectable_bias.value_or(1.0));
+                std::max(family.minimum_detectable_bias.value_or(0), summary.minimum_detectable_bias.value_or(1.0));
         } else {
             ++family.untestable;
             ++family.too_skewed;
         }
+        look_beyond_margin(tester, *test, summary, family, least_step);
         const stats::Interval& interval = test->equivalence;
         family.shown_below = std::max({family.shown_below, std::abs(interval.low), std::abs(interval.high)});
         refuted = refuted || leaves_out(test->strict, spec.equivalence_margin.value_or(1.0));
@@ -291,41 +312,12 @@ BiasFamily judge_bias(const StudyPlan& plan, const CellEstimates& estimates, std
     if (nothing_found && family.minimum_detectable_bias >= 1) {
         family.few_trials = true;
         family.untestable = family.pairs;
-        family.minimum_detectable_bias = 0;
+        family.minimum_detectable_bias.reset();
     }
     if (largest_std > 0 && estimates.trials() >= 2) {
         family.planned_margin = stats::equivalence_margin(largest_std, estimates.trials(), {alpha, spec.power}, tested);
     }
     return family;
-}
-
-double p_of_constant(double bias, std::optional<double> lattice, std::size_t trials) {
-    const double error = std::abs(bias);
-    if (error <= lattice.value_or(0.0) + rounding_error) return 1;
-    const double steps = lattice ? std::floor(error / *lattice) : 1;
-    return std::pow(1 / (steps + 1), static_cast<double>(trials - 1));
-}
-
-double p_of_any_constant(double value, double reference, double largest, std::size_t trials) {
-    if (!std::isfinite(largest) || value == reference) return 1;
-    const double others = value < reference ? (reference - value) / (largest - value) : (value - reference) / value;
-    return std::pow(1 - others, static_cast<double>(trials - 1));
-}
-
-BiasFinding bias_finding(const BiasFamily& family, double level) {
-    if (family.constant_and_wrong) return BiasFinding::biased;
-    if (family.few_trials) return BiasFinding::untestable;
-    const double alpha = 1.0 - level;
-    if (family.adjusted_p < alpha) return BiasFinding::biased;
-    if (family.student_p < alpha) return BiasFinding::inconclusive;
-    return family.untestable == family.pairs ? BiasFinding::untestable : BiasFinding::no_bias_found;
-}
-
-EquivalenceFinding equivalence_finding(const BiasFamily& family, bool refuted) {
-    if (!family.margin) return EquivalenceFinding::not_asked;
-    if (refuted && !family.few_trials) return EquivalenceFinding::refuted;
-    return family.untestable == 0 && family.shown_below < *family.margin ? EquivalenceFinding::shown
-                                                                         : EquivalenceFinding::inconclusive;
 }
 
 }  // namespace ff::studies

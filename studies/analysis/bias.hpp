@@ -33,10 +33,14 @@ struct BiasFamily {
     /// A value that would explain the difference on the largest pair if trials had missed it; empty where it is known
     /// to be impossible.
     std::optional<stats::UnseenValue> unseen;
-    double minimum_detectable_bias = 0;  ///< that of the worst pair, at the family-wise level and the study's power
-    double shown_below = 0;              ///< smallest margin within which every pair is equivalent (level 1 - 2 alpha)
-    std::optional<double> margin;        ///< the study's equivalence margin
-    double planned_margin = 0;           ///< margin that an unbiased method would pass with the study's power
+    /// That of the worst pair, at the family-wise level and the study's power; empty where no pair can be tested.
+    std::optional<double> minimum_detectable_bias;
+    double shown_below = 0;        ///< smallest margin within which every pair is equivalent (level 1 - 2 alpha)
+    std::optional<double> margin;  ///< the study's equivalence margin
+    /// The value nearest to the mean that would put some pair outside the margin if all trials had missed it; empty
+    /// where bounds of the values, and their law within these, are known.
+    std::optional<stats::UnseenValue> unseen_beyond_margin;
+    double planned_margin = 0;  ///< margin that an unbiased method would pass with the study's power
 };
 
 enum class BiasFinding {

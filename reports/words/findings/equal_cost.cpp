@@ -97,12 +97,26 @@ std::string but_at_equal_cost(const studies::StudyResults& results, std::span<co
                        leaders.size() == 1 ? "is" : "are", listed({name(*rival->second)}));
 }
 
+bool is_exact_at_all_sizes(const studies::Analysis& findings, const studies::Cell& cell, PairClass pair_class) {
+    return std::none_of(findings.cells.begin(), findings.cells.end(), [&](const studies::CellAnalysis& found) {
+        const studies::Cell& other = findings.plan.cells[found.cell];
+        const studies::ClassError* error = found.class_error(pair_class);
+        return other.method == cell.method && other.scene == cell.scene && error != nullptr &&
+               error->rmse >= studies::rounding_error;
+    });
+}
+
 std::string which_are_exact(const studies::StudyResults& results, std::size_t scene, PairClass pair_class) {
     const studies::StudyPlan& plan = results.findings.plan;
     const Contest* const contest = main_contest(results, scene, pair_class);
     if (contest == nullptr || contest->exact.empty()) return {};
     std::vector<std::string> names;
-    for (const std::size_t cell : contest->exact) names.push_back(plan.spec.methods[plan.cells[cell].method].name);
+    for (const std::size_t index : contest->exact) {
+        const studies::Cell& cell = plan.cells[index];
+        names.push_back(plan.spec.methods[cell.method].name);
+        if (!is_exact_at_all_sizes(results.findings, cell, pair_class))
+            names.back() += fmt::format(" ({})", size_label(plan, cell));
+    }
     std::string where = on_pairs(plan, scene, std::string(name(pair_class)));
     where.front() = 'O';
     return fmt::format("{} {} {} exact to rounding.", where, listed(names), names.size() == 1 ? "is" : "are");

@@ -21,7 +21,11 @@ std::string at_what_cost(const studies::Analysis& findings, const studies::Ranke
 std::string but_at_equal_cost(const studies::StudyResults& results, std::span<const studies::Ranked> ranked,
                               std::size_t scene, PairClass pair_class);
 
-/// "On parallel pairs a is exact to rounding."; empty where no method is.
+/// Whether the method of a cell is exact to rounding at all of its sizes.
+bool is_exact_at_all_sizes(const studies::Analysis& findings, const studies::Cell& cell, PairClass pair_class);
+
+/// "On parallel pairs a and b (1 × 16 points) are exact to rounding.", with the size of a method that is not exact at
+/// all of its sizes; empty where no method is.
 std::string which_are_exact(const studies::StudyResults& results, std::size_t scene, PairClass pair_class);
 
 }  // namespace ff::reports

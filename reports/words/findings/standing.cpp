@@ -158,16 +158,6 @@ void set_margin(const studies::Analysis& findings, const Ranked& first, const Ra
     ranking.again = times + interval;
 }
 
-/// Whether the method of a cell is exact to rounding at all of its sizes.
-bool is_exact_at_all_sizes(const studies::Analysis& findings, const studies::Cell& cell, PairClass pair_class) {
-    return std::none_of(findings.cells.begin(), findings.cells.end(), [&](const studies::CellAnalysis& found) {
-        const studies::Cell& other = findings.plan.cells[found.cell];
-        const studies::ClassError* error = found.class_error(pair_class);
-        return other.method == cell.method && other.scene == cell.scene && error != nullptr &&
-               error->rmse >= studies::rounding_error;
-    });
-}
-
 /// A sentence on errors that have no variance, which rankings do not compare; empty where there are none.
 std::string which_variances_are_left_out(const studies::Analysis& findings, std::size_t scene) {
     const bool some =

@@ -41,15 +41,19 @@ std::string_view undefined_in_words(const studies::BiasFamily& family) {
     return family.not_finite > 0 ? "; infinity or no number in some trials of other pairs" : "";
 }
 
+/// ", unless a value of 4.2 occurs less often than once in 64 trials"; empty where no value would change a verdict.
+std::string unless_unseen(const std::optional<stats::UnseenValue>& unseen) {
+    if (!unseen) return {};
+    return fmt::format(", unless a value of {} occurs less often than once in {:.0f} trials", brief(unseen->value, 2),
+                       std::ceil(unseen->one_in));
+}
+
 /// "BIASED (t up to ±9.1, p = ...), unless a value of 4.2 occurs less often than once in 64 trials"
 std::string biased_in_words(const studies::CellAnalysis& found) {
     const studies::BiasFamily& family = *found.bias;
     if (family.constant_and_wrong) return "BIASED (one wrong value in every trial)";
-    std::string words = fmt::format("BIASED (t up to ±{:.1f}, {})", family.largest_t, p_text(family.adjusted_p));
-    if (family.unseen)
-        words += fmt::format(", unless a value of {} occurs less often than once in {:.0f} trials",
-                             brief(family.unseen->value, 2), std::ceil(family.unseen->one_in));
-    return words.append(undefined_in_words(family));
+    return fmt::format("BIASED (t up to ±{:.1f}, {}){}{}", family.largest_t, p_text(family.adjusted_p),
+                       unless_unseen(family.unseen), undefined_in_words(family));
 }
 
 /// The words for a difference that a skewed law without bias would show, too.
@@ -86,7 +90,7 @@ std::string bias_in_words(const studies::CellAnalysis& found) {
                                                              : fmt::format(" on {} of {} pairs, {} on the others",
                                                                            found.bias->pairs - found.bias->untestable,
                                                                            found.bias->pairs, why_untested(found));
-    return fmt::format("none found{} ({})", untested, brief(found.bias->minimum_detectable_bias, 2));
+    return fmt::format("none found{} ({})", untested, brief(found.bias->minimum_detectable_bias.value_or(0), 2));
 }
 
 std::string equivalence_in_words(const studies::CellAnalysis& found) {
@@ -96,7 +100,7 @@ std::string equivalence_in_words(const studies::CellAnalysis& found) {
                                   : "the trials are too few, or too skewed, for an interval";
     switch (found.equivalence) {
         case studies::EquivalenceFinding::shown:
-            return fmt::format("shown ({})", reach);
+            return fmt::format("shown ({}){}", reach, unless_unseen(found.bias->unseen_beyond_margin));
         case studies::EquivalenceFinding::refuted:
             return "refuted";
         case studies::EquivalenceFinding::inconclusive:
@@ -152,7 +156,7 @@ BiasTally tally_of(const studies::Analysis& findings) {
         const bool is_clear = found.bias_finding == studies::BiasFinding::no_bias_found;
         tally.partly += is_clear && found.bias->untestable > 0 ? 1u : 0u;
         tally.shown += found.equivalence == studies::EquivalenceFinding::shown ? 1 : 0;
-        tally.detectable = std::max(tally.detectable, found.bias->minimum_detectable_bias);
+        tally.detectable = std::max(tally.detectable, found.bias->minimum_detectable_bias.value_or(0));
     }
     return tally;
 }

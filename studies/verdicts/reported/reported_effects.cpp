@@ -4,7 +4,7 @@
 #include "stats/basics/moments.hpp"
 #include "stats/dependence/correlation.hpp"
 #include "stats/means/mean_test.hpp"
-#include "studies/verdicts/reported/reported_bins.hpp"
+#include "studies/verdicts/reported/bin_covariance.hpp"
 #include "studies/verdicts/reported/reported_faults.hpp"
 #include "studies/verdicts/reported/reported_gates.hpp"
 #include "studies/verdicts/reported/shares_and_spreads.hpp"

@@ -39,7 +39,7 @@ run other_scene random 1 box:2x1x0.5
 ffstudy compare a other_seed
 expect_status 0
 expect_stdout "a: study s, seed 1"
-expect_stdout "Neither run is better: the RMSE of other_seed is "
+expect_stdout "Neither run is shown to be better: the RMSE of other_seed is "
 expect_stdout "no difference found (would detect"
 expect_stdout "Of 2 methods and sizes in both runs 0 differ."
 expect_stdout "62 tests, 5 % together"

@@ -55,7 +55,7 @@ TEST(Bias, IsFoundOnASinglePairAboveTheMinimumDetectable) {
     EXPECT_EQ(cell.bias->pairs, 30u);
     EXPECT_EQ(cell.bias->untestable, 0u);
 
-    const Analysis shifted = analyse(normal_trials(plan, 1, 2 * cell.bias->minimum_detectable_bias));
+    const Analysis shifted = analyse(normal_trials(plan, 1, 2 * cell.bias->minimum_detectable_bias.value()));
     EXPECT_EQ(shifted.cells.at(0).bias_finding, BiasFinding::biased);
     EXPECT_EQ(shifted.cells.at(0).bias->largest_pair, (Quantity{pair, 1, 2}));
     EXPECT_LT(shifted.cells.at(0).bias->adjusted_p, 0.05);
@@ -214,7 +214,7 @@ TEST(FewTrials, GiveEstimatesWithoutVerdicts) {
         const CellAnalysis& cell = findings.cells.at(0);
         EXPECT_EQ(cell.bias_finding, BiasFinding::untestable);
         EXPECT_TRUE(cell.bias->few_trials);
-        EXPECT_EQ(cell.bias->minimum_detectable_bias, 0);
+        EXPECT_FALSE(cell.bias->minimum_detectable_bias);
         EXPECT_EQ(cell.equivalence, EquivalenceFinding::inconclusive);
         EXPECT_TRUE(cell.summary({pair, 1, 2}).mean);
         EXPECT_FALSE(cell.summary({pair, 1, 2}).minimum_detectable_bias);

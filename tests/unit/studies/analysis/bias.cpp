@@ -21,6 +21,10 @@ namespace {
 constexpr std::string_view kernel_method =
     "[[method]]\nname = \"kernel\"\nsampler = \"sobol\"\nestimator = \"point_to_polygon\"\nsamples_per_patch = 64\n";
 
+/// The same without a bound of the values.
+constexpr std::string_view area_kernel_method =
+    "[[method]]\nname = \"kernel\"\nsampler = \"sobol\"\nestimator = \"area_kernel\"\nsamples_per_patch = 64\n";
+
 std::vector<double> shares_of_hits(std::size_t trials, int rays, double probability, double clumping) {
     std::mt19937_64 engine(7);
     std::vector<double> shares;
@@ -62,9 +66,10 @@ TEST(BiasFinding, IsInconclusiveWhereOnlyStudentsTFindsADifference) {
 
 /// A study whose trials are off the exact factors by values of a law; those of F 1-2 are shifted.
 template <class Law>
-CellAnalysis study_of(Law law, std::uint64_t trials, std::uint64_t seed, double shift, std::string_view lines = "") {
-    const StudyPlan plan = test::plan_of(
-        test::study_text("trials = " + std::to_string(trials) + "\n" + std::string(lines), kernel_method));
+CellAnalysis study_of(Law law, std::uint64_t trials, std::uint64_t seed, double shift, std::string_view lines = "",
+                      std::string_view method = kernel_method) {
+    const StudyPlan plan =
+        test::plan_of(test::study_text("trials = " + std::to_string(trials) + "\n" + std::string(lines), method));
     const auto exact = exact_form_factors(plan.scenes.front()).value();
     std::mt19937_64 engine(seed);
     return analyse_cell(test::fill(plan,
@@ -75,9 +80,11 @@ CellAnalysis study_of(Law law, std::uint64_t trials, std::uint64_t seed, double 
                         0);
 }
 
-CellAnalysis log_normal_study(std::uint64_t trials, std::uint64_t seed, double shift, std::string_view lines = "") {
+CellAnalysis log_normal_study(std::uint64_t trials, std::uint64_t seed, double shift, std::string_view lines = "",
+                              std::string_view method = kernel_method) {
     std::lognormal_distribution<double> law(0, 0.7);
-    return study_of([&](auto& engine) { return law(engine) / std::exp(0.245) - 1; }, trials, seed, shift, lines);
+    return study_of([&](auto& engine) { return law(engine) / std::exp(0.245) - 1; }, trials, seed, shift, lines,
+                    method);
 }
 
 // Student's t calls a fifth to a half of these studies biased. Risks: false alarm 1e-6; .2 is noticed with power .99.
@@ -133,6 +140,19 @@ TEST(Bias, IsInconclusiveWhereFewTrialsMayBeSkewed) {
 TEST(Equivalence, IsNotShownByFewSkewedTrials) {
     EXPECT_EQ(log_normal_study(6, 1, 0, "equivalence_margin = 0.003").equivalence, EquivalenceFinding::inconclusive);
     EXPECT_EQ(log_normal_study(400, 1, 0, "equivalence_margin = 0.003").equivalence, EquivalenceFinding::shown);
+}
+
+// A margin of 0.003 with 400 trials: values that lie beyond it 1 / share times as far as the mean.
+TEST(Equivalence, NamesTheValueThatAllTrialsMayHaveMissed) {
+    const double share = 1 - std::pow(0.05, 1.0 / 400);
+    const auto unbounded = log_normal_study(400, 1, 0, "equivalence_margin = 0.003", area_kernel_method);
+    ASSERT_EQ(unbounded.equivalence, EquivalenceFinding::inconclusive);  // the variance is infinite on adjacent pairs
+    const auto& unseen = unbounded.bias->unseen_beyond_margin;
+    ASSERT_TRUE(unseen);
+    EXPECT_NEAR(unseen->one_in, 1 / share, 1e-9);
+    EXPECT_NEAR(std::abs(unseen->value - 0.2), 0.003 / share, 0.03);
+    EXPECT_FALSE(log_normal_study(400, 1, 0, "equivalence_margin = 0.003").bias->unseen_beyond_margin);
+    EXPECT_FALSE(log_normal_study(400, 1, 0, "", area_kernel_method).bias->unseen_beyond_margin);
 }
 
 TEST(POfAnyConstant, IsAttainedByTwoPointDistributions) {

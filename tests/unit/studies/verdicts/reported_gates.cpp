@@ -136,12 +136,13 @@ struct Correlated {
     std::filesystem::path file = folder.path() / "covariance.csv";
 
     /// @param leave_out  pairs at the end of the file
-    explicit Correlated(double scale = 1, std::size_t leave_out = 0) {
+    explicit Correlated(double scale = 1, std::size_t leave_out = 0, double correlation = 0.9, int digits = 17) {
         std::vector<std::string> lines;
         for (std::size_t i = 0; i < bins; ++i) {
             for (std::size_t j = 0; j <= i; ++j)
-                lines.push_back(
-                    fmt::format("{},{},{}\n", i, j, scale * reported_sigma * reported_sigma * (i == j ? 1 : 0.9)));
+                lines.push_back(fmt::format("{},{},{:.{}g}\n", i, j,
+                                            scale * reported_sigma * reported_sigma * (i == j ? 1 : correlation),
+                                            digits));
         }
         lines.resize(lines.size() - leave_out);
         std::ofstream(file) << "bin,other_bin,covariance\n" << fmt::format("{}", fmt::join(lines, ""));
@@ -171,6 +172,8 @@ TEST(JudgeReported, JudgesBinsTogetherByTheirCovariance) {
     EXPECT_EQ(known.judge(0).verdict, Verdict::inconclusive);
     EXPECT_EQ(known.judge(2).verdict, Verdict::fail);
     EXPECT_THAT(known.judge(2).note, HasSubstr("(chi_squared)"));
+    // Its diagonal says about what the errors say, which are those that count.
+    EXPECT_EQ(Correlated(1.04).judge(2).note, known.judge(2).note);
     // A covariance of hardly more samples than bins is worth next to nothing.
     EXPECT_EQ(known.judge(2, 22).verdict, Verdict::inconclusive);
 }
@@ -188,6 +191,8 @@ TEST(JudgeReported, RefusesImpossibleCovariances) {
     EXPECT_THAT(refusal(Correlated(1000), 0), HasSubstr("not of single samples"));
     EXPECT_THAT(refusal(Correlated(1, 2), 0), HasSubstr("no covariance of bins '19' and '18'"));
     EXPECT_THAT(refusal(Correlated(1, 210), 0), HasSubstr("no covariance of bins '0' and '0'"));
+    // Five digits of 0.99999 leave open whether all bins are one.
+    EXPECT_THAT(refusal(Correlated(1, 0, 0.99999, 5), 0), HasSubstr("not positive definite to its 5 digits"));
     const Correlated broken;
     std::ofstream(broken.file, std::ios::app) << "1,0,2\n";
     EXPECT_THAT(refusal(broken, 0), HasSubstr("stands here again"));
