@@ -13,6 +13,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
+#include <utility>
 
 namespace ff::reports {
 
@@ -104,25 +107,51 @@ bool is_below_the_top(const studies::StudyResults& results, std::size_t cell) {
 }
 
 /// Counts verdicts on rates, and names those that are not as expected.
-std::string verdicts_in_words(const std::vector<studies::LadderSlopes>& ladders) {
+std::string verdicts_in_words(const studies::StudyPlan& plan, const std::vector<studies::LadderSlopes>& ladders) {
     std::size_t judged = 0;
     std::size_t expected = 0;
-    std::vector<std::string> others;
+    std::map<std::pair<PairClass, bool>, std::vector<std::string>> others;  // by class, and whether they are slower
     for (const studies::LadderSlopes& ladder : ladders) {
         for (const studies::ClassSlopes& found : ladder.classes) {
             if (!found.adjusted_p) continue;
             ++judged;
-            if (found.finding == studies::RateFinding::as_expected) {
+            if (found.finding == studies::RateFinding::as_expected)
                 ++expected;
-            } else {
-                others.push_back(fmt::format("{} on {} pairs is {}", ladder.ladder.label, name(found.pair_class),
-                                             found.finding == studies::RateFinding::slower ? "slower" : "faster"));
-            }
+            else
+                others[{found.pair_class, found.finding == studies::RateFinding::slower}].push_back(
+                    scene_prefix(plan, ladder.ladder.scene) + ladder.ladder.label);
         }
     }
     if (judged == 0) return {};
-    return fmt::format("Of {} with a theory {} {} as expected{}{}.", counted(judged, "rate"), expected,
-                       expected == 1 ? "is" : "are", others.empty() ? "" : "; ", listed(others));
+    std::string words = fmt::format("Of {} with a theory {} {} as expected", counted(judged, "rate"), expected,
+                                    expected == 1 ? "is" : "are");
+    for (const auto& [which, methods] : others)
+        words += fmt::format("; on {} pairs {} {} {}", name(which.first), listed(methods),
+                             methods.size() == 1 ? "is" : "are", which.second ? "slower" : "faster");
+    return words + ".";
+}
+
+/// One sentence for each ranking or, of many, how often each method comes first.
+/// @param first  "Least variance"  @param cases  "comparisons with random points"
+std::vector<std::string> rankings_in_brief(const std::vector<Ranking>& rankings, const studies::StudyPlan& plan,
+                                           std::string_view first, std::string_view cases) {
+    constexpr std::size_t most_sentences = 6;
+    constexpr std::size_t most_methods = 4;
+    std::vector<std::string> lines;
+    if (rankings.size() <= most_sentences) {
+        for (const Ranking& ranking : rankings) lines.push_back(sentence(ranking, plan));
+        return lines;
+    }
+    std::map<std::string, int> times;
+    for (const Ranking& ranking : rankings) {
+        for (const std::string& leader : ranking.leaders) ++times[leader];
+    }
+    std::vector<std::pair<std::string, int>> leaders(times.begin(), times.end());
+    std::ranges::stable_sort(leaders, std::ranges::greater(), &std::pair<std::string, int>::second);
+    if (leaders.size() > most_methods) leaders.resize(most_methods);
+    for (const auto& [method, count] : leaders) lines.push_back(fmt::format("{} in {}", listed({method}), count));
+    return {fmt::format("{}, alone or with others, in {} {}: {}.", first, rankings.size(), cases,
+                        lines.empty() ? "no method" : fmt::format("{}", fmt::join(lines, ", ")))};
 }
 
 /// Says which methods converge fastest and slowest on each class of pairs, as far as they can be distinguished, then
@@ -130,9 +159,10 @@ std::string verdicts_in_words(const std::vector<studies::LadderSlopes>& ladders)
 std::vector<std::string> slopes_in_brief(const studies::StudyResults& results) {
     std::vector<std::string> lines;
     if (results.occlusion.empty()) {  // otherwise scenes differ in what hides, and are described together
-        for (const Ranking& ranking : rank_rates(results)) lines.push_back(sentence(ranking, results.findings.plan));
+        lines = rankings_in_brief(rank_rates(results), results.findings.plan, "Fastest convergence",
+                                  "scenes and classes of pairs");
     }
-    if (std::string verdicts = verdicts_in_words(results.slopes); !verdicts.empty())
+    if (std::string verdicts = verdicts_in_words(results.findings.plan, results.slopes); !verdicts.empty())
         lines.push_back(std::move(verdicts));
     return lines;
 }
@@ -141,7 +171,9 @@ std::vector<std::string> slopes_in_brief(const studies::StudyResults& results) {
 std::vector<std::string> error_laws_in_brief(const studies::StudyResults& results) {
     std::vector<std::string> laws;
     if (!results.occlusion.empty()) return laws;  // its scenes are not about row sums
+    constexpr double fits = 0.2;                  // no error is further from the line, as a share of it
     for (const studies::ErrorLaw& law : results.error_laws) {
+        if (law.first_order.largest_residual > fits) continue;
         laws.push_back(fmt::format("{:+.4f} for {}{} (within {} %)", law.first_order.coefficient, law.method,
                                    law.published ? " as printed" : "",
                                    brief(100 * law.first_order.largest_residual, 2)));
@@ -197,9 +229,9 @@ std::vector<std::string> reductions_in_brief(const studies::StudyResults& result
     const studies::StudyPlan& plan = results.findings.plan;
     std::vector<std::string> lines;
     if (!results.occlusion.empty()) return lines;  // its scenes differ in what hides, and are described together
-    for (const Ranking& ranking : rank_variances(results)) {
-        if (!is_below_the_top(results, *ranking.random_cell)) lines.push_back(sentence(ranking, plan));
-    }
+    std::vector<Ranking> rankings = rank_variances(results);
+    std::erase_if(rankings, [&](const Ranking& ranking) { return is_below_the_top(results, *ranking.random_cell); });
+    lines = rankings_in_brief(rankings, plan, "Least variance", "comparisons with random points");
     for (const VarianceReduction& face : results.reductions) {
         const VarianceReduction* patch = with_a_sequence_a_patch(results, face);
         if (patch == nullptr || plan.cells[face.cell].subdivision.m == 1) continue;

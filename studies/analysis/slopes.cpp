@@ -33,16 +33,19 @@ double root_mean_square(std::span<const double> errors) {
                      static_cast<double>(errors.size()));
 }
 
-/// The slope through one error at each size, without any interval.
-std::optional<double> deterministic_slope(std::span<const stats::Rung> rungs, ErrorSize error) {
-    std::vector<double> sizes;
+/// One error for each size.
+std::vector<double> sizes_of_errors(std::span<const stats::Rung> rungs, ErrorSize error) {
     std::vector<double> errors;
-    for (const stats::Rung& rung : rungs) {
-        sizes.push_back(rung.size);
+    for (const stats::Rung& rung : rungs)
         errors.push_back(error == ErrorSize::rmse ? root_mean_square(rung.errors)
                                                   : *stats::median_absolute_error(rung.errors, 0));
-        if (errors.back() < rounding_error) return std::nullopt;
-    }
+    return errors;
+}
+
+/// The slope through one error at each size, without any interval.
+std::optional<double> deterministic_slope(std::span<const stats::Rung> rungs, std::span<const double> errors) {
+    std::vector<double> sizes;
+    for (const stats::Rung& rung : rungs) sizes.push_back(rung.size);
     const auto law = stats::fit_power_law(sizes, errors);
     return law ? std::optional(-law->exponent) : std::nullopt;
 }
@@ -62,8 +65,10 @@ void fit(std::span<const stats::Rung> rungs, double level, const stats::LadderDr
     if (slope.expected && slope.expected->of_median && slope.statistic == ErrorSize::rmse) slope.expected.reset();
     if (slope.expected)
         slope.slowest_expected = slope.expected->slowest(std::sqrt(rungs.front().size * rungs.back().size));
+    const auto errors = sizes_of_errors(rungs, slope.statistic);
+    if (std::ranges::any_of(errors, [](double error) { return error < rounding_error; })) return;
     if (slope.variance == VarianceStatus::none) {
-        slope.slope = deterministic_slope(rungs, slope.statistic);
+        slope.slope = deterministic_slope(rungs, errors);
         return;
     }
     if (slope.variance == VarianceStatus::infinite && slope.statistic == ErrorSize::rmse) return;

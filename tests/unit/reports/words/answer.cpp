@@ -6,6 +6,7 @@
 #include "reports/text/labels.hpp"
 #include "reports/words/findings/coverage_words.hpp"
 #include "reports/words/headline.hpp"
+#include "reports/words/in_brief.hpp"
 #include "tests/support/studies.hpp"
 #include "tests/unit/reports/small_study.hpp"
 
@@ -40,6 +41,28 @@ TEST(CoverageInBrief, SaysWhereTooFewTrialsTellTheCoverage) {
     EXPECT_THAT(lines_of(10),
                 testing::Contains("Student's t, R = 5: too few trials to tell the coverage (nominal 0.95)."));
     EXPECT_THAT(lines_of(100), testing::Each(HasSubstr("significantly short in ")));
+}
+
+TEST(ResultsInBrief, CountFirstPlacesWhereRankingsAreMany) {
+    const std::string methods = R"([[method]]
+name = "SR"
+sampler = "random"
+estimator = "ray_shooting"
+samples_per_patch = [64, 256]
+[[method]]
+name = "SR, sobol"
+sampler = "sobol"
+estimator = "ray_shooting"
+samples_per_patch = [64, 256]
+)";
+    const auto brief_of = [&](const std::string& scenes) {
+        return results_in_brief(studies::evaluate(test::run(
+            test::plan_of("[study]\nname = \"many\"\nscene = " + scenes + "\ntrials = 40\nseed = 1\n" + methods))));
+    };
+    EXPECT_THAT(brief_of("[\"cube\", \"box:1x1x2\"]"),
+                testing::Contains("Least variance, alone or with others, in 8 comparisons with random points: “SR, "
+                                  "sobol” in 8."));
+    EXPECT_THAT(brief_of("\"cube\""), testing::Contains(HasSubstr(" “SR, sobol” has the least variance, ")));
 }
 
 TEST(Listed, NamesAFewAndCountsTheRest) {

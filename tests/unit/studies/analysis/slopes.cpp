@@ -110,6 +110,20 @@ TEST(Slopes, AreAsExpectedWhenFasterThanABound) {
     EXPECT_EQ(found.front().classes.front().finding, RateFinding::as_expected);
 }
 
+// A method that is exact at all sizes was called the slowest, with a slope of 0.
+TEST(Slopes, AreEmptyWhereErrorsAreRounding) {
+    const auto plan = ladder_plan("sobol", "control_variate");
+    const auto exact = *exact_form_factors(plan.scenes.front());
+    const auto found = slopes_of(test::fill(plan, [&](std::size_t cell, std::uint64_t, int from, int to) {
+        return exact(from - 1, to - 1) + (cell == 3 ? 2e-16 : 1e-15);
+    }));
+    for (const ClassSlopes& of_class : found.at(0).classes) {
+        EXPECT_FALSE(of_class.rmse.slope);
+        EXPECT_FALSE(of_class.median.slope);
+        EXPECT_EQ(of_class.finding, RateFinding::no_slope);
+    }
+}
+
 TEST(Slopes, HaveNoIntervalForDeterministicMethods) {
     const auto found = slopes_of(store_with_rate(ladder_plan("sobol_raw", "area_kernel"), -1, 0));
     const ClassSlopes& parallel = found.front().classes.front();
