@@ -84,8 +84,9 @@ std::optional<Picture> errors_picture(const studies::StudyResults& results, std:
     return picture_of(values, "light_errors", fmt::format("light-errors{}", of_scene(plan, scene)),
                       fmt::format("How the exitance error grows with reflectance{}.", of_scene(plan, scene)),
                       fmt::format("Errors reach {}, at reflectance {}. {}", percent(largest), where, dashes_in_words),
-                      "Relative RMSE of the exitance, over faces and runs, against 1 − reflectance, both logarithmic, "
-                      "a line for each method as it completes its matrix, and one after the matrix is balanced.");
+                      "Relative RMSE of the exitance, over faces and runs, against the reflectance, both axes "
+                      "logarithmic (in 1 − reflectance), a line for each method as it completes its matrix, and one "
+                      "after the matrix is balanced.");
 }
 
 std::optional<Picture> radius_picture(const studies::StudyResults& results, std::size_t scene,

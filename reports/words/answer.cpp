@@ -79,7 +79,8 @@ std::optional<MainFinding> on_coverage(const StudyResults& results) {
         .title = "Least coverage of each rule with R replicates.",
         .axis = "share of intervals that contain the exact value",
         .note = bars(results) +
-                " Grey ticks: what the intervals promise. Colour and symbol: the method with least coverage.",
+                " Grey ticks: what the intervals promise. Beside each mark: the method with least coverage; * where "
+                "that is significantly too little.",
     };
 }
 
@@ -134,13 +135,14 @@ std::optional<MainFinding> on_choice(const StudyResults& results) {
         auto same = std::ranges::find(all, names, &Taken::methods);
         if (same == all.end()) {
             same = all.insert(same, Taken());
-            same->methods = std::move(names);
+            same->methods = names;
         }
         same->kinds.push_back(kind);
         same->best += first.best;
         same->entered += first.entered;
         Ranking& ranking = found.rankings.emplace_back();
         ranking.heading = fmt::format("{} pairs", kind);
+        ranking.leaders = std::move(names);
         constexpr std::size_t most_methods = 3;
         for (const studies::Choice& choice : decision.choices) {
             if (ranking.methods.size() == most_methods || choice.best == 0) break;
@@ -212,7 +214,8 @@ Ranking furthest_estimates(const studies::StudyPlan& plan, const std::vector<Con
         const studies::Cell& cell = plan.cells[worst->found->cell];
         const bool biased = worst->found->bias_finding == studies::BiasFinding::biased;
         ranking.methods.push_back({std::string(first.configuration->name), cell.method, size_label(plan, cell),
-                                   worst->standard_errors, std::nullopt, 0.0, biased ? "biased" : ""});
+                                   worst->standard_errors, std::nullopt, 0.0,
+                                   fmt::format("{}{}", plan.spec.methods[cell.method].name, biased ? ", biased" : "")});
     }
     return ranking;
 }
@@ -227,9 +230,7 @@ std::optional<MainFinding> on_configurations(const StudyResults& results) {
         .rankings = {furthest_estimates(results.findings.plan, estimates)},
         .title = "The estimate furthest from its exact value.",
         .axis = "deviation in standard errors",
-        .note =
-            "Grey ticks: the exact value. Colour and symbol: the method with the largest deviation, which is "
-            "shown.",
+        .note = "Grey ticks: the exact value. Beside each mark: the method whose deviation is the largest.",
     };
 }
 

@@ -61,6 +61,48 @@ KeyNumber contest_number(const studies::Analysis& findings, const Rivalry& rival
     return number;
 }
 
+/// Who comes first in a ranking of the answer, and in how many cases or by how much.
+KeyNumber ranking_number(const studies::StudyPlan& plan, const MainFinding& finding, const Ranking& ranking) {
+    KeyNumber number;
+    number.label = "on " + ranking.heading;
+    if (finding.subject == Subject::choice) {
+        number.value = listed(ranking.leaders, 3, "or");
+        number.detail = fmt::format("Nothing is shown to err less in {} cases, at equal evaluations.",
+                                    ranking.methods.front().group);
+    } else {
+        number.value = ranking.leaders.empty() ? "no difference shown" : listed(ranking.leaders, 3);
+        number.detail = sentence(ranking, plan);
+    }
+    return number;
+}
+
+/// The least coverage of a rule.
+KeyNumber coverage_number(const Ranking& rule) {
+    const RankedMethod& least = *std::ranges::min_element(rule.methods, {}, &RankedMethod::value);
+    return {fmt::format("{:.1f} %", 100 * *least.value), "least coverage of " + rule.heading,
+            fmt::format("{:.1f} to {:.1f} %, with {}.", 100 * least.interval->low, 100 * least.interval->high,
+                        least.label)};
+}
+
+/// What stands beside the answer about methods: the rankings that it rests on or, where it is about something else, the
+/// duels of methods on one scene.
+std::vector<KeyNumber> numbers_on_methods(const studies::StudyResults& results, const MainFinding& finding,
+                                          std::size_t most) {
+    std::vector<KeyNumber> numbers;
+    const Subject subject = finding.subject;
+    if (subject == Subject::coverage) {
+        for (const Ranking& rule : finding.rankings) numbers.push_back(coverage_number(rule));
+    }
+    if (subject == Subject::choice || subject == Subject::rates || subject == Subject::variances) {
+        for (const Ranking& ranking : finding.rankings)
+            numbers.push_back(ranking_number(results.findings.plan, finding, ranking));
+    } else if (subject != Subject::configurations && subject != Subject::coverage && results.occlusion.empty()) {
+        for (const Rivalry& rivalry : results.rivals) numbers.push_back(contest_number(results.findings, rivalry));
+    }
+    if (numbers.size() > most) numbers.resize(most);
+    return numbers;
+}
+
 KeyNumber bias_number(const studies::Analysis& findings) {
     BiasTally tally = tally_of(findings);
     if (tally.sampled == 0) return {};
@@ -105,10 +147,9 @@ Headline headline(const studies::StudyResults& results) {
                                "Root mean square over runs and faces, of the mean exitance: with each method as it is "
                                "completed, before repairs."});
     }
-    for (const Rivalry& rivalry : results.rivals) {
-        if (!results.occlusion.empty() || out.numbers.size() >= 4) break;  // the answer compares them, over all scenes
-        out.numbers.push_back(contest_number(results.findings, rivalry));
-    }
+    constexpr std::size_t most_on_methods = 3;
+    for (KeyNumber& number : numbers_on_methods(results, said.finding, most_on_methods))
+        out.numbers.push_back(std::move(number));
     if (const auto slowest = slowest_where_occluded(results)) {
         out.numbers.push_back({fmt::format("{}: {} of {}", slowest->method, slowest->slow, slowest->pairs),
                                "partly occluded pairs slower than random points",

@@ -113,9 +113,10 @@ std::vector<Ranking> least_coverage(const studies::StudyResults& results) {
             if (range.rows.empty()) continue;
             const Coverage& least = *range.rows.front();
             const studies::Cell& cell = plan.cells[least.cell];
-            ranking.methods.push_back({fmt::format("R = {}", replicates), cell.method, size_label(plan, cell),
-                                       least.share(), least.coverage_interval, plan.spec.level,
-                                       least.short_of_nominal ? "short" : ""});
+            ranking.methods.push_back(
+                {fmt::format("R = {}", replicates), cell.method, size_label(plan, cell), least.share(),
+                 least.coverage_interval, plan.spec.level,
+                 fmt::format("{}{}", plan.spec.methods[cell.method].name, least.short_of_nominal ? "*" : "")});
         }
     }
     return rankings;

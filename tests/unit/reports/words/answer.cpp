@@ -128,6 +128,10 @@ estimator = "ray_shooting"
 samples_per_patch = [64, 256, 1024]
 )");
     EXPECT_EQ(answer(results).finding.subject, Subject::rates);
+    const KeyNumber first = headline(results).numbers.front();  // about the same subject
+    EXPECT_EQ(first.value, "sobol");
+    EXPECT_EQ(first.label, "on parallel pairs");
+    EXPECT_THAT(first.detail, StartsWith("On parallel pairs sobol converges fastest"));
     EXPECT_THAT(answer(results).text,
                 testing::MatchesRegex("On parallel pairs sobol converges fastest .slope -0[^;]*; on "
                                       "adjacent pairs sobol converges fastest .slope -0.*"));

@@ -1,4 +1,5 @@
 // Files from practice: what other programs write, as far as it can be understood in one way only.
+#include "core/geometry/surface_map.hpp"
 #include "core/support/error.hpp"
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/scene_files/scene_file.hpp"
