@@ -55,7 +55,7 @@ std::string_view table_of(Subject subject) {
         case Subject::variances:
             return "reductions";
         case Subject::light:
-            return "radiosity-exitance";
+            return "told-light";
         case Subject::publication:
         case Subject::errors:
             break;
@@ -77,9 +77,7 @@ void add_tables(const studies::StudyResults& results, Subject subject, Json& vie
         else
             others.push_back(table_view(table));
     }
-    for (const Table& table : radiosity_tables(results)) {
-        if (table.id == table_of(subject)) view["rests_on"] = table_view(table);
-    }
+    if (subject == Subject::light) view["rests_on"] = table_view(told_light_table(results));
     view["has_findings"] = !others.empty();
     view["findings"] = std::move(others);
 }
@@ -136,9 +134,7 @@ Json pictures_view(const std::vector<Picture>& pictures) {
 
 Json radiosity_view(const studies::StudyResults& results) {
     Json tables = Json::array();
-    for (const Table& table : radiosity_tables(results)) {
-        if (table.id != table_of(Subject::light)) tables.push_back(table_view(table));
-    }
+    for (const Table& table : radiosity_tables(results)) tables.push_back(table_view(table));
     return {{"lines", texts_view(radiosity_in_brief(results))}, {"tables", std::move(tables)}};
 }
 

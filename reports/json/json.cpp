@@ -108,6 +108,7 @@ Json published_json(const studies::PublishedResults& published) {
         claims.push_back({{"id", claim.claim.id},
                           {"section", claim.claim.section},
                           {"statement", claim.claim.statement},
+                          {"tested_as", claim.claim.tested_as},
                           {"verdict", studies::name(claim.verdict)},
                           {"as_printed_only", claim.as_printed_only},
                           {"evidence", claim.evidence}});

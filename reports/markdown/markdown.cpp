@@ -133,7 +133,7 @@ std::string claims_section(const studies::StudyResults& results) {
     if (!results.published || results.published->claims.empty()) return {};
     std::string out = "## The paper's claims, judged\n\n| claim (section) | verdict | evidence |\n|---|---|---|\n";
     for (const studies::JudgedClaim& claim : results.published->claims) {
-        out += fmt::format("| {} ({}) | **{}** | {} |\n", markdown_cell(claim.claim.statement),
+        out += fmt::format("| {} ({}) | **{}** | {} |\n", markdown_cell(claim.claim.statement + tested_as(claim.claim)),
                            markdown_cell(claim.claim.section), studies::name(claim.verdict),
                            markdown_cell(claim.evidence));
     }

@@ -102,7 +102,7 @@ Table occlusion_table(const studies::StudyResults& results) {
                     "over all rows together. An evaluation is a ray, which serves all faces, or a value of the "
                     "kernel, which serves one pair.",
                     100 * plan.spec.level, 100 * (1 - plan.spec.level)),
-        columns({"scene", "pair", ">occluded", ">exact", ">N"})};
+        columns({"scene", "~pair", ">occluded", ">~exact", ">~N"})};
     if (results.occlusion.empty()) return table;
     for (const studies::Method& method : plan.spec.methods) table.columns.push_back({method.name});
     for (const studies::OcclusionSeries& series : results.occlusion) {

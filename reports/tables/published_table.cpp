@@ -66,7 +66,7 @@ Table claims_table(const studies::PublishedResults& published) {
         const Mark mark = claim.verdict == studies::ClaimVerdict::supported ? Mark::good
                           : claim.verdict == studies::ClaimVerdict::refuted ? Mark::bad
                                                                             : Mark::open;
-        table.rows.push_back({claim.claim.statement,
+        table.rows.push_back({claim.claim.statement + tested_as(claim.claim),
                               {std::string(studies::name(claim.verdict)), mark},
                               claim.claim.section,
                               claim.evidence});

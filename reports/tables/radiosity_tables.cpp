@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <utility>
 
 namespace ff::reports {
@@ -62,7 +64,10 @@ Table matrices_table(const studies::StudyResults& results, Between between) {
     return table;
 }
 
-Table exitance_table(const studies::StudyResults& results, Between between) {
+/// The cells and the reflectance whose rows are shown.
+using IsShown = std::function<bool(std::size_t cell, std::size_t setting)>;
+
+Table exitance_table(const studies::StudyResults& results, Between between, const IsShown& is_shown) {
     const studies::StudyPlan& plan = results.findings.plan;
     Table table{
         id_of(between, "radiosity-exitance"), title_of(between, "What becomes of the light"),
@@ -75,32 +80,34 @@ Table exitance_table(const studies::StudyResults& results, Between between) {
                     "with a negative exitance. Where some of several trials are not convergent, the "
                     "exitance passes a pole and has no mean.",
                     studies::radiosity::name(between), 100 * plan.spec.level),
-        columns({"method", "size (patches per face)", "treatment", ">reflectance", ">dominant", ">spectral radius",
-                 ">condition", ">energy lost (%)", ">bias of mean exitance", ">exitance error",
-                 between == Between::patches ? ">on the worst patch" : ">on the worst face", ">negative light"})};
+        columns({"method", "~size (patches per face)", "treatment", ">reflectance", ">exitance error",
+                 between == Between::patches ? ">~on the worst patch" : ">~on the worst face",
+                 ">~bias of mean exitance", ">~energy lost (%)", ">~dominant", ">~spectral radius", ">~condition",
+                 ">~negative light"})};
     for (const Consequences& found : results.radiosity->consequences) {
         if (found.between != between) continue;
         for (const studies::radiosity::SettingStatistics& at : found.settings) {
+            if (!is_shown(found.cell, at.setting)) continue;
             auto row = row_of(plan, found.cell);
             row.push_back(studies::radiosity::name(found.treatment));
             row.push_back(setting_text(plan, at.setting));
-            row.push_back(
-                {fmt::format("{} of {}", at.dominant, at.trials), at.dominant < at.trials ? Mark::bad : Mark::good});
-            row.push_back({over_trials_text(at.spectral_radius, at.trials, 5),
-                           at.convergent < at.trials ? Mark::bad : Mark::none});
-            row.push_back(over_trials_text(at.condition, at.trials, 3));
-            const auto& lost = at.energy_defect;
-            row.push_back(
-                lost ? over_trials_text({100 * lost->least, 100 * lost->median, 100 * lost->largest}, at.trials, 2)
-                     : "–");
             const Mark mark = at.negative > 0 ? Mark::bad : Mark::none;
-            row.push_back({at.exitance.empty() ? "singular" : bias_text(at.exitance.front()), mark});
             row.push_back({at.light_error ? percent(*at.light_error) : "–", mark});
             const auto* worst = worst_element(at);
             row.push_back({worst == nullptr ? "–"
                                             : fmt::format("{} ({})", percent(relative_error(*worst)),
                                                           element_text(plan, found, worst->element)),
                            mark});
+            row.push_back({at.exitance.empty() ? "singular" : bias_text(at.exitance.front()), mark});
+            const auto& lost = at.energy_defect;
+            row.push_back(
+                lost ? over_trials_text({100 * lost->least, 100 * lost->median, 100 * lost->largest}, at.trials, 2)
+                     : "–");
+            row.push_back(
+                {fmt::format("{} of {}", at.dominant, at.trials), at.dominant < at.trials ? Mark::bad : Mark::good});
+            row.push_back({over_trials_text(at.spectral_radius, at.trials, 5),
+                           at.convergent < at.trials ? Mark::bad : Mark::none});
+            row.push_back(over_trials_text(at.condition, at.trials, 3));
             row.push_back({at.negative == 0 ? "" : fmt::format("{} of {}", at.negative, at.trials), mark});
             table.rows.push_back(std::move(row));
         }
@@ -176,12 +183,26 @@ Table bias_order_table(const studies::StudyResults& results) {
 
 }  // namespace
 
+Table told_light_table(const studies::StudyResults& results) {
+    if (!results.radiosity) return {};
+    const studies::StudyPlan& plan = results.findings.plan;
+    const auto cells = all_lit_cells(plan);
+    const std::size_t told = told_setting(plan);
+    Table table = exitance_table(results, Between::faces, [&](std::size_t cell, std::size_t setting) {
+        return setting == told && std::ranges::find(cells, cell) != cells.end();
+    });
+    table.id = "told-light";
+    table.title = fmt::format("What becomes of the light at reflectance {}", setting_text(plan, told));
+    return table;
+}
+
 std::vector<Table> radiosity_tables(const studies::StudyResults& results) {
     if (!results.radiosity) return {};
     std::vector<Table> tables;
     for (const Between between : {Between::faces, Between::patches}) {
-        for (const Table& table :
-             {matrices_table(results, between), exitance_table(results, between), solvers_table(results, between)}) {
+        for (const Table& table : {matrices_table(results, between),
+                                   exitance_table(results, between, [](std::size_t, std::size_t) { return true; }),
+                                   solvers_table(results, between)}) {
             if (!table.rows.empty()) tables.push_back(table);
         }
     }

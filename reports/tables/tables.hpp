@@ -61,6 +61,10 @@ Table claims_table(const studies::PublishedResults& published);
 /// Every distinct pair and row sum of one cell: exact value, mean, bias with interval, spread.
 Table pairs_table(const studies::StudyResults& results, std::size_t cell);
 
+/// The rows of the exitance that the answer tells: the compared methods at the reflectance of the headline, with every
+/// treatment. Empty where the study has no [radiosity].
+Table told_light_table(const studies::StudyResults& results);
+
 /// Matrices, exitance, solvers and the order of the bias; empty where the study has no [radiosity].
 std::vector<Table> radiosity_tables(const studies::StudyResults& results);
 

@@ -68,8 +68,8 @@ std::string surprising_figures(const studies::PublishedResults& published, doubl
 std::vector<std::string> claims_in_brief(const studies::PublishedResults& published) {
     std::vector<std::string> lines;
     for (const studies::JudgedClaim& judged : published.claims)
-        lines.push_back(
-            fmt::format("{}: “{}” {}", studies::name(judged.verdict), judged.claim.statement, judged.evidence));
+        lines.push_back(fmt::format("{}: “{}”{} {}", studies::name(judged.verdict), judged.claim.statement,
+                                    tested_as(judged.claim), judged.evidence));
     return lines;
 }
 
@@ -105,6 +105,10 @@ std::string in_words(const studies::StudyResults& results, const PrintedErrors& 
 }
 
 }  // namespace
+
+std::string tested_as(const studies::PublishedClaim& claim) {
+    return claim.tested_as.empty() ? std::string() : fmt::format(" (tested: {})", claim.tested_as);
+}
 
 std::string ours_text(const FigureComparison& c, const std::string& printed) {
     if (!c.ours) return "–";

@@ -45,6 +45,9 @@ struct PrintedErrors {
 /// @pre results.published
 PrintedErrors printed_errors(const studies::StudyResults& results, std::size_t cell, PairClass pair_class);
 
+/// " (tested: more evaluations)", to follow the statement of a claim; empty where its file says no more.
+std::string tested_as(const studies::PublishedClaim& claim);
+
 /// How many of the publication's claims hold: "The publication's claim is supported." With several claims, the number
 /// with each verdict.
 std::string claims_sentence(const studies::PublishedResults& published);

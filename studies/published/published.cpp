@@ -222,12 +222,13 @@ void read_reading(const JsonReader& reader, const JsonValue& value, PublishedTab
 
 PublishedClaim read_claim(const JsonReader& reader, const JsonValue& value) {
     reader.expect_object(value, "a claim",
-                         {"id", "section", "statement", "kind", "methods", "pair_class", "patches_per_face",
-                          "samples_per_patch", "number"});
+                         {"id", "section", "statement", "tested_as", "kind", "methods", "pair_class",
+                          "patches_per_face", "samples_per_patch", "number"});
     PublishedClaim claim;
     claim.id = reader.text(reader.member(value, "id", "the claim"), "id");
     claim.section = reader.optional_text(value, "section");
     claim.statement = reader.text(reader.member(value, "statement", "the claim"), "statement");
+    claim.tested_as = reader.optional_text(value, "tested_as");
     claim.kind = reader.text(reader.member(value, "kind", "the claim"), "kind");
     for (const JsonValue& method : optional_array(reader, value, "methods")) {
         claim.methods.push_back(reader.text(method, "methods"));

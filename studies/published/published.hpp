@@ -56,6 +56,7 @@ struct PublishedClaim {
     std::string id;
     std::string section;
     std::string statement;
+    std::string tested_as;  ///< what of the statement a study tests; empty where that is plain
     std::string kind;
     std::vector<std::string> methods;
     std::string pair_class;  ///< "parallel", "adjacent", "all" or empty

@@ -60,27 +60,6 @@ std::string light_text(const studies::StudyPlan& plan, const Consequences& found
     return fmt::format("at {} the exitance error is {}", where, light_error_text(at));
 }
 
-/// The setting that a reader is told about besides the last: the last that is no brighter than white walls, or else the
-/// middle one.
-std::size_t told_setting(const studies::StudyPlan& plan) {
-    constexpr double of_white_walls = 0.9;
-    const auto& settings = plan.spec.radiosity->reflectance;
-    for (std::size_t i = settings.size(); i-- > 0;) {
-        if (std::all_of(settings[i].begin(), settings[i].end(), [](double r) { return r <= of_white_walls; })) return i;
-    }
-    return settings.size() / 2;
-}
-
-/// The compared cells of all scenes.
-std::vector<std::size_t> all_lit_cells(const studies::StudyPlan& plan) {
-    std::vector<std::size_t> all;
-    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
-        const auto cells = lit_cells(plan, scene);
-        all.insert(all.end(), cells.begin(), cells.end());
-    }
-    return all;
-}
-
 std::vector<std::string> cell_lines(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     const std::size_t told = told_setting(plan);
@@ -198,6 +177,24 @@ std::string bias_order_line(const studies::StudyResults& results) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> all_lit_cells(const studies::StudyPlan& plan) {
+    std::vector<std::size_t> all;
+    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+        const auto cells = lit_cells(plan, scene);
+        all.insert(all.end(), cells.begin(), cells.end());
+    }
+    return all;
+}
+
+std::size_t told_setting(const studies::StudyPlan& plan) {
+    constexpr double of_white_walls = 0.9;
+    const auto& settings = plan.spec.radiosity->reflectance;
+    for (std::size_t i = settings.size(); i-- > 0;) {
+        if (std::all_of(settings[i].begin(), settings[i].end(), [](double r) { return r <= of_white_walls; })) return i;
+    }
+    return settings.size() / 2;
+}
 
 std::vector<std::size_t> lit_cells(const studies::StudyPlan& plan, std::size_t scene) {
     std::map<std::uint64_t, std::vector<std::size_t>> by_cost;

@@ -23,6 +23,12 @@ std::optional<LightInBrief> light_in_brief(const studies::StudyResults& results)
 /// The compared cells: those of the largest cost that several methods share; else all.
 std::vector<std::size_t> lit_cells(const studies::StudyPlan& plan, std::size_t scene);
 
+/// The compared cells of all scenes.
+std::vector<std::size_t> all_lit_cells(const studies::StudyPlan& plan);
+
+/// The reflectance of the headline, as an index into the study's: the last that is not above 0.9 on any face.
+std::size_t told_setting(const studies::StudyPlan& plan);
+
 /// "0.9", or "0.998 [0.997, 0.999]": the median and the range over trials, where there are several.
 std::string over_trials_text(const studies::radiosity::OverTrials& range, std::size_t trials, int digits = 3);
 
