@@ -17,7 +17,7 @@ namespace {
 /// Traces rays one by one, and counts where they end.
 class OneByOneTracer : public Tracer {
   public:
-    explicit OneByOneTracer(const Scene& scene) : scene_(scene) {}
+    explicit OneByOneTracer(Scene scene) : scene_(std::move(scene)) {}
 
     void shoot(std::uint32_t source, Grid grid, std::uint32_t patch, const PointBlock& block,
                std::span<std::uint64_t> hits) const final {

@@ -81,6 +81,15 @@ void fit(std::span<const stats::Rung> rungs, double level, const stats::LadderDr
     if (slope.few_trials) return;
     slope.interval = rate->bootstrap;
     if (slope.statistic == ErrorSize::rmse) slope.interval_from_fit = rate->interval;
+    // Resamples of few trials vary too little: of normal errors, 95 % intervals from 5 trials held in 86 %, from 10 in
+    // 91 %, and with those of the fit in 95 and 96 %.
+    constexpr std::size_t enough = 30;
+    const auto too_few = [](const stats::Rung& rung) { return rung.replicates() < enough; };
+    if (slope.statistic == ErrorSize::rmse && std::ranges::any_of(rungs, too_few)) {
+        slope.interval->method = "bootstrap_and_wls";
+        slope.interval->low = std::min(slope.interval->low, rate->interval.low);
+        slope.interval->high = std::max(slope.interval->high, rate->interval.high);
+    }
     slope.lack_of_fit_p = rate->lack_of_fit_p;
     slope.misfit = rate->misfit;
     if (slope.expected) slope.p = p_of_expected(slope, rate->standard_error);

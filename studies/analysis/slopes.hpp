@@ -24,10 +24,12 @@ struct Slope {
     PairClass pair_class = PairClass::other;
     ErrorSize statistic = ErrorSize::rmse;
     VarianceStatus variance = VarianceStatus::finite;
-    std::size_t points = 0;                   ///< sizes in the fit
-    std::optional<double> slope;              ///< empty without variance (rmse), or where the error is rounding
-    std::optional<stats::Interval> interval;  ///< bootstrap over whole trials; empty for deterministic methods
-    std::optional<stats::Interval> interval_from_fit;  ///< interval from the weights of the fit; rmse only
+    std::size_t points = 0;       ///< sizes in the fit
+    std::optional<double> slope;  ///< empty without variance (rmse), or where the error is rounding
+    /// Bootstrap over whole trials; for the rmse of fewer than 30 trials what covers it and `interval_from_fit`. Empty
+    /// for deterministic methods.
+    std::optional<stats::Interval> interval;
+    std::optional<stats::Interval> interval_from_fit;  ///< from the weights of the fit; rmse only
     std::optional<double> lack_of_fit_p;  ///< p-value of a straight line; rmse only. Where small, by the rule for means
     bool may_bend = false;                ///< by chi-squared a straight line does not fit, at the level of one test
     double misfit = 1;                    ///< sqrt(chi-squared / degrees of freedom) of a straight line, at least 1

@@ -82,6 +82,24 @@ TEST(Slopes, AllowForCorrelatedPairsOfAClass) {
     EXPECT_LT(apart.front().classes.front().rmse.interval->width(), 0.7 * class_slope.interval->width());
 }
 
+// The bootstrap of five trials alone holds in 86 %.
+TEST(Slopes, HaveWiderIntervalsWhereTrialsAreFew) {
+    const auto interval_of = [](int trials) {
+        const auto plan = test::plan_of(test::study_text(fmt::format("trials = {}", trials), R"([[method]]
+name = "a"
+sampler = "halton"
+estimator = "area_kernel"
+samples_per_patch = [64, 256, 1024, 4096]
+)"));
+        return slopes_of(store_with_rate(plan, -1, 0)).front().classes.front().rmse;
+    };
+    const Slope few = interval_of(5);
+    EXPECT_LE(few.interval->low, few.interval_from_fit->low);
+    EXPECT_GE(few.interval->high, few.interval_from_fit->high);
+    EXPECT_EQ(few.interval->method, "bootstrap_and_wls");
+    EXPECT_EQ(interval_of(30).interval->method, "percentile_bootstrap");
+}
+
 TEST(Slopes, UseOnlyTheMedianUnderInfiniteVariance) {
     const auto found = slopes_of(store_with_rate(ladder_plan("random", "area_kernel"), -1.0 / 3, 0));
     const ClassSlopes& adjacent = found.front().classes.back();
