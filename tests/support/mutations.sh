@@ -56,7 +56,7 @@ run_test() {
     local program found=no
     status=0
     if [[ $1 == cli.* ]]; then
-        ctest --test-dir "$copy/build/dev" -N -R "^$1" | grep -q "^ *Test *#" || { echo "no such test: $1" >&2 && exit 2; }
+        ctest --test-dir "$copy/build/dev" -N -R "^$1" | grep "^ *Test *#" >/dev/null || { echo "no such test: $1" >&2 && exit 2; }
         ctest --test-dir "$copy/build/dev" -R "^$1" --timeout 300 >"$copy/test.log" 2>&1 || status=$?
         case $status in
             0) ;;

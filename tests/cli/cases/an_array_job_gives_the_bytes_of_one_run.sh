@@ -23,7 +23,7 @@ for i in 1 2 3 4; do
     ffstudy ${command#ffstudy }
     expect_status 0
 done
-merge=$(sed -n 's/^ffstudy \(merge .*\)/\1/p' "$root/docs/scaling.md" | head -n 1)
+merge=$(sed -n '/^ffstudy merge /{s/^ffstudy //p;q}' "$root/docs/scaling.md")
 ffstudy $(eval echo "$merge")
 expect_status 0
 expect_same_results whole results/study

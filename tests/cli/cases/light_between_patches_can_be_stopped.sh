@@ -38,7 +38,7 @@ expect_in_file lit/report.md "What the errors do to the light"
 ffstudy report lit
 expect_status 0
 ! grep -q "Stopped early" lit/report.md || fail "the report still lacks systems"
-cut -d, -f 2-10 lit/matrices.csv | grep -q ",patches," || fail "no systems between patches"
+cut -d, -f 2-10 lit/matrices.csv | grep ",patches," >/dev/null || fail "no systems between patches"
 
 # What was asked for between patches is written for other programs, and only that.
 ffstudy report lit --format patch_systems --out files

@@ -82,7 +82,7 @@ offered run sr_vs_pdm --trials ""
 offered nothing ""
 [ ! -s "$folder/offered" ] || fail "expected nothing for an unknown command"
 ffstudy report --help
-tr -s ' \n' ' ' <"$folder/stdout" | grep -Fq "$(paste -sd, "$folder/formats" | sed 's/,/, /g') (default: html, markdown, csv, json)" ||
+tr -s ' \n' ' ' <"$folder/stdout" | grep -F "$(paste -sd, "$folder/formats" | sed 's/,/, /g') (default: html, markdown, csv, json)" >/dev/null ||
     fail "expected every format in help"
 
 # docs/command-line.md names them too.
