@@ -75,8 +75,8 @@ std::optional<PictureGroup> radiosity_pictures(const studies::StudyResults& resu
 /// The radiant exitance on the unfolded box, exact and by each method, and its errors.
 std::vector<Picture> exitance_pictures(const studies::StudyResults& results, std::size_t scene);
 
-/// Pictures of one cell; empty where it has nothing to draw.
-std::optional<Picture> unfolded_picture(const studies::StudyResults& results, std::size_t cell);
+/// Pictures of one cell, by its index in the analysis; empty where it has nothing to draw.
+std::optional<Picture> unfolded_picture(const studies::StudyResults& results, std::size_t index);
 std::optional<Picture> estimates_picture(const studies::StudyResults& results, std::size_t cell);
 
 }  // namespace ff::reports

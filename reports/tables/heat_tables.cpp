@@ -13,7 +13,6 @@
 
 namespace ff::reports {
 
-using studies::heat::Bounds;
 using studies::heat::FaceFlow;
 using studies::heat::Flows;
 using studies::heat::GroupFlow;

@@ -62,10 +62,10 @@ KeyNumber contest_number(const studies::Analysis& findings, const Rivalry& rival
 }
 
 /// Who comes first in a ranking of the answer, and in how many cases or by how much.
-KeyNumber ranking_number(const studies::StudyPlan& plan, const MainFinding& finding, const Ranking& ranking) {
+KeyNumber ranking_number(const studies::StudyPlan& plan, Subject subject, const Ranking& ranking) {
     KeyNumber number;
     number.label = "on " + ranking.heading;
-    if (finding.subject == Subject::choice) {
+    if (subject == Subject::choice) {
         number.value = listed(ranking.leaders, 3, "or");
         number.detail = fmt::format("Nothing is shown to err less in {} cases, at equal evaluations.",
                                     ranking.methods.front().group);
@@ -84,20 +84,30 @@ KeyNumber coverage_number(const Ranking& rule) {
                         least.label)};
 }
 
-/// What stands beside the answer about methods: the rankings that it rests on or, where it is about something else, the
-/// duels of methods on one scene.
+/// What stands beside the answer about methods: the rankings that it rests on, or the best two on each class of pairs.
 std::vector<KeyNumber> numbers_on_methods(const studies::StudyResults& results, const MainFinding& finding,
                                           std::size_t most) {
     std::vector<KeyNumber> numbers;
-    const Subject subject = finding.subject;
-    if (subject == Subject::coverage) {
-        for (const Ranking& rule : finding.rankings) numbers.push_back(coverage_number(rule));
-    }
-    if (subject == Subject::choice || subject == Subject::rates || subject == Subject::variances) {
-        for (const Ranking& ranking : finding.rankings)
-            numbers.push_back(ranking_number(results.findings.plan, finding, ranking));
-    } else if (subject != Subject::configurations && subject != Subject::coverage && results.occlusion.empty()) {
-        for (const Rivalry& rivalry : results.rivals) numbers.push_back(contest_number(results.findings, rivalry));
+    switch (finding.subject) {
+        case Subject::configurations:
+        case Subject::occlusion:
+            break;
+        case Subject::coverage:
+        case Subject::choice:
+        case Subject::rates:
+        case Subject::variances:
+            for (const Ranking& ranking : finding.rankings) {
+                if (ranking.methods.empty()) continue;
+                numbers.push_back(finding.subject == Subject::coverage
+                                      ? coverage_number(ranking)
+                                      : ranking_number(results.findings.plan, finding.subject, ranking));
+            }
+            break;
+        case Subject::light:
+        case Subject::publication:
+        case Subject::errors:
+            for (const Rivalry& rivalry : results.rivals) numbers.push_back(contest_number(results.findings, rivalry));
+            break;
     }
     if (numbers.size() > most) numbers.resize(most);
     return numbers;
@@ -151,11 +161,11 @@ Headline headline(const studies::StudyResults& results) {
     for (KeyNumber& number : numbers_on_methods(results, said.finding, most_on_methods))
         out.numbers.push_back(std::move(number));
     if (const auto slowest = slowest_where_occluded(results)) {
-        out.numbers.push_back({fmt::format("{}: {} of {}", slowest->method, slowest->slow, slowest->pairs),
-                               "partly occluded pairs slower than random points",
-                               fmt::format("There its error falls more slowly than N^{:g}: occlusion harms it more "
-                                           "than any other method.",
-                                           slope_of_random)});
+        out.numbers.push_back(
+            {fmt::format("{}: {} of {}", slowest->method, slowest->slow, slowest->pairs),
+             "partly occluded pairs slower than random points",
+             fmt::format("There its error falls more slowly than N^{:g}, on more pairs than that of any other method.",
+                         slope_of_random)});
     }
     if (KeyNumber bias = bias_number(results.findings); !bias.value.empty()) out.numbers.push_back(std::move(bias));
     if (results.published && results.published->audit.figures > 0) {

@@ -12,7 +12,7 @@ namespace ff::reports {
 struct Comparative {
     std::string_view better;
     std::string_view before_values;
-    std::string_view after_values = "";
+    std::string_view after_values = {};
     std::string_view than = "another";
     bool is_enough = true;  ///< whether who does better is the one to take
 };
