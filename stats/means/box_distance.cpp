@@ -14,8 +14,7 @@ namespace {
 using Matrix = std::vector<std::vector<double>>;
 
 Matrix zeros(std::size_t size) {
-    Matrix zero(size, std::vector<double>(size));
-    return zero;
+    return Matrix(size, std::vector<double>(size));
 }
 
 /// Writes L of C = L Lᵀ over the lower half of C, which alone is read; false where C is not positive definite.

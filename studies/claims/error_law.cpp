@@ -20,9 +20,9 @@ std::optional<ErrorLaw> fit(const std::string& method, bool published, const Err
         law.closure_errors.push_back(sum / static_cast<double>(values.size()));
     }
     if (law.m.size() < 2) return std::nullopt;
-    auto first_order = stats::fit_power_law(law.m, law.closure_errors, 1.0);
+    const auto first_order = stats::fit_power_law(law.m, law.closure_errors, 1.0);
     if (!first_order) return std::nullopt;
-    law.first_order = std::move(*first_order);
+    law.first_order = *first_order;
     law.free = stats::fit_power_law(law.m, law.closure_errors);
     return law;
 }
