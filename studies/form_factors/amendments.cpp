@@ -114,12 +114,12 @@ RepairedFactors repair(const Matrix& matrix) {
         const bool is_zero = width == 0 && factors.coeffs()[place] == 0;
         width = is_zero ? 0 : std::pow(floor / std::max(floor, width), 2);
     }
-    Balanced balanced =
+    const Balanced balanced =
         balance(factors, weights, Eigen::Map<const Eigen::VectorXd>(matrix.areas.data(), factors.rows()));
-    return compare_repaired(matrix, std::move(balanced.factors), balanced.balanced);
+    return compare_repaired(matrix, balanced.factors, balanced.balanced);
 }
 
-RepairedFactors compare_repaired(const Matrix& matrix, Matrix::Sparse repaired, bool possible) {
+RepairedFactors compare_repaired(const Matrix& matrix, const Matrix::Sparse& repaired, bool possible) {
     constexpr double rounding = 1e-15;
     const Matrix::Sparse factors = matrix.factors();
     const Matrix::Sparse widths = matrix.half_widths();
@@ -128,7 +128,7 @@ RepairedFactors compare_repaired(const Matrix& matrix, Matrix::Sparse repaired, 
     result.closure_before = closure_defect(factors);
     result.closure_after = closure_defect(repaired);
     const Matrix::Sparse changes = repaired - factors;
-    result.factors = std::move(repaired);
+    result.factors = repaired;
     for (Eigen::Index i = 0; i < changes.outerSize(); ++i) {
         for (Matrix::Sparse::InnerIterator entry(changes, i); entry; ++entry) {
             const double change = std::abs(entry.value());

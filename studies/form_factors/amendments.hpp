@@ -26,7 +26,7 @@ void add_surroundings(Matrix& matrix);
 RepairedFactors repair(const Matrix& matrix);
 
 /// How repaired factors compare with those of the matrix.
-RepairedFactors compare_repaired(const Matrix& matrix, Matrix::Sparse repaired, bool possible);
+RepairedFactors compare_repaired(const Matrix& matrix, const Matrix::Sparse& repaired, bool possible);
 
 /// @throws UserError for a scene that is not closed, whose row sums are unknown
 void expect_repairable(const Scene& scene);

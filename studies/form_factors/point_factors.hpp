@@ -25,8 +25,8 @@ class PointFactors {
     /// @throws UserError where a surface is curved
     explicit PointFactors(const Scene& scene);
 
-    /// @param place  in the scene's unit of length @param normal  of any length, > 0 @return by face
-    [[nodiscard]] std::vector<PointFactor> from(const Eigen::Vector3d& place, const Eigen::Vector3d& normal) const;
+    /// @param given  place, in the scene's unit of length @param direction  normal of any length, > 0 @return by face
+    [[nodiscard]] std::vector<PointFactor> from(const Eigen::Vector3d& given, const Eigen::Vector3d& direction) const;
 
   private:
     Placement placement_;

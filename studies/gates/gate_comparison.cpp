@@ -91,9 +91,9 @@ void compare_means(const Gate& gate, const Plan& plan, const Effect& effect,
 
 /// The number of evaluations is the same, so efficiencies are as one over the variances.
 /// @param ratio  logarithm of the ratio of the standard deviations
-Measurement measure_efficiency(const stats::MeanSquare& spread, const stats::MeanSquare& reference,
-                               stats::Measured ratio, const Band& band, const Levels& levels) {
-    Measurement measurement = measure_spread(reference, spread, {std::sqrt(band.low), std::sqrt(band.high)}, levels);
+Measurement measure_efficiency(const stats::MeanSquare& own, const stats::MeanSquare& other, stats::Measured ratio,
+                               const Band& band, const Levels& levels) {
+    Measurement measurement = measure_spread(other, own, {std::sqrt(band.low), std::sqrt(band.high)}, levels);
     ratio.value *= -1;
     for (stats::Measured::Part& part : ratio.parts) part.weight *= -1;
     allow_for_skewness(measurement, ratio, true, {std::sqrt(band.low), std::sqrt(band.high)}, levels);

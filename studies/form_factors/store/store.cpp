@@ -235,7 +235,7 @@ class MatrixReader {
         }
         Matrix::Sparse factors(n, n);
         factors.setFromTriplets(entries.begin(), entries.end());
-        kept.matrix.repaired = compare_repaired(kept.matrix, std::move(factors), about_.count("repair_possible") != 0);
+        kept.matrix.repaired = compare_repaired(kept.matrix, factors, about_.count("repair_possible") != 0);
     }
 };
 
