@@ -33,6 +33,10 @@ std::string bias_line(const studies::Analysis& findings) {
         biased > 0 ? fmt::format("found in {}, ", biased) : "", tally.found[studies::BiasFinding::no_bias_found],
         tally.sampled, tally.partly > 0 ? fmt::format(", in {} of them on a part of the pairs", tally.partly) : "",
         100 * (1 - findings.plan.spec.level));
+    if (const auto untested = tally.found[studies::BiasFinding::untestable]; untested > 0)
+        out += fmt::format("; {} cannot be tested", untested);
+    if (const auto open = tally.found[studies::BiasFinding::inconclusive]; open > 0)
+        out += fmt::format("; {} may be biased or skewed", open);
     if (const auto margin = findings.plan.spec.equivalence_margin) {
         out += fmt::format("; for {} every pair is shown to lie within ±{}", tally.shown, brief(*margin, 2));
     }

@@ -66,10 +66,17 @@ std::string finding_in_words(const studies::ClassSlopes& found) {
         case studies::RateFinding::no_theory:
             words += "no theory known";
             break;
-        case studies::RateFinding::no_slope:
+        case studies::RateFinding::no_slope: {
             if (found.judged().few_trials) return words + "too few trials";
+            const auto exact = std::ranges::count_if(
+                found.sizes, [](const studies::ClassError& size) { return size.rmse < studies::rounding_error; });
+            if (exact > 0 && !infinite)
+                return exact == std::ssize(found.sizes)
+                           ? "exact to rounding"
+                           : fmt::format("exact to rounding at {} of {} sizes", exact, found.sizes.size());
             if (found.rmse.variance != studies::VarianceStatus::none) return words + "no slope";
-            return found.rmse.slope ? "deterministic: no interval" : "exact to rounding";
+            return "deterministic: no interval";
+        }
     }
     if (found.bent) words += fmt::format("; not a straight line ({})", p_text(*found.judged().lack_of_fit_p));
     return words;

@@ -112,6 +112,8 @@ std::string verdicts_in_words(const studies::StudyPlan& plan, const std::vector<
     std::size_t expected = 0;
     std::map<std::pair<PairClass, bool>, std::vector<std::string>> others;  // by class, and whether they are slower
     for (const studies::LadderSlopes& ladder : ladders) {
+        const std::string in_scene =
+            plan.scenes.size() == 1 ? std::string() : " in " + plan.scenes[ladder.ladder.scene].name;
         for (const studies::ClassSlopes& found : ladder.classes) {
             if (!found.adjusted_p) continue;
             ++judged;
@@ -119,7 +121,7 @@ std::string verdicts_in_words(const studies::StudyPlan& plan, const std::vector<
                 ++expected;
             else
                 others[{found.pair_class, found.finding == studies::RateFinding::slower}].push_back(
-                    scene_prefix(plan, ladder.ladder.scene) + ladder.ladder.label);
+                    ladder.ladder.label + in_scene);
         }
     }
     if (judged == 0) return {};

@@ -62,7 +62,7 @@ std::string where(const studies::StudyPlan& plan, const std::vector<Ranking>& ra
 
 std::string nothing_better(const std::vector<Ranking>& rankings, const std::vector<std::string>& labels,
                            const Comparative& comparative) {
-    if (std::all_of(rankings.begin(), rankings.end(), is_exact)) return "they are exact";
+    if (std::all_of(rankings.begin(), rankings.end(), is_exact)) return "they are exact at the sizes compared";
     const std::string values = values_of(rankings, labels);
     return fmt::format("nothing is shown to {}{}", comparative.better,
                        values.empty()

@@ -106,17 +106,20 @@ bool is_exact_at_all_sizes(const studies::Analysis& findings, const studies::Cel
     });
 }
 
+std::string exact_name(const studies::Analysis& findings, std::size_t index, PairClass pair_class) {
+    const studies::Cell& cell = findings.plan.cells[index];
+    const std::string& name = findings.plan.spec.methods[cell.method].name;
+    return is_exact_at_all_sizes(findings, cell, pair_class)
+               ? name
+               : fmt::format("{} ({})", name, size_label(findings.plan, cell));
+}
+
 std::string which_are_exact(const studies::StudyResults& results, std::size_t scene, PairClass pair_class) {
     const studies::StudyPlan& plan = results.findings.plan;
     const Contest* const contest = main_contest(results, scene, pair_class);
     if (contest == nullptr || contest->exact.empty()) return {};
     std::vector<std::string> names;
-    for (const std::size_t index : contest->exact) {
-        const studies::Cell& cell = plan.cells[index];
-        names.push_back(plan.spec.methods[cell.method].name);
-        if (!is_exact_at_all_sizes(results.findings, cell, pair_class))
-            names.back() += fmt::format(" ({})", size_label(plan, cell));
-    }
+    for (const std::size_t cell : contest->exact) names.push_back(exact_name(results.findings, cell, pair_class));
     std::string where = on_pairs(plan, scene, std::string(name(pair_class)));
     where.front() = 'O';
     return fmt::format("{} {} {} exact to rounding.", where, listed(names), names.size() == 1 ? "is" : "are");

@@ -24,6 +24,10 @@ std::string but_at_equal_cost(const studies::StudyResults& results, std::span<co
 /// Whether the method of a cell is exact to rounding at all of its sizes.
 bool is_exact_at_all_sizes(const studies::Analysis& findings, const studies::Cell& cell, PairClass pair_class);
 
+/// The name of the method of a cell (by its index in the plan), with its size if the method is not exact at all of its
+/// sizes: "b (1 × 16 points)".
+std::string exact_name(const studies::Analysis& findings, std::size_t index, PairClass pair_class);
+
 /// "On parallel pairs a and b (1 × 16 points) are exact to rounding.", with the size of a method that is not exact at
 /// all of its sizes; empty where no method is.
 std::string which_are_exact(const studies::StudyResults& results, std::size_t scene, PairClass pair_class);

@@ -188,13 +188,13 @@ std::string which_errors_are_left_out(const studies::Analysis& findings, const R
 void rank_errors_of_class(const StudyResults& results, Ranking& ranking, double level) {
     const studies::Analysis& findings = results.findings;
     const studies::StudyPlan& plan = findings.plan;
+    // A publication with tables says which of its methods it compares.
     const auto tables = results.published ? results.published->comparisons : std::vector<studies::TableComparison>();
     const auto ranked = studies::rank_errors(findings, studies::compared_cells(findings, ranking.scene, tables),
                                              ranking.pair_class, level);
     if (ranked.empty()) return;
     ranking.methods = ranked_cells(plan, ranked);
-    // A publication says which of its methods it compares.
-    if (!results.published) ranking.caveat = which_errors_are_left_out(findings, ranking);
+    if (tables.empty()) ranking.caveat = which_errors_are_left_out(findings, ranking);
     const Leaders best = leaders(ranked, ranking.methods);
     if (!best.all || best.one()) ranking.leaders = best.names;
     const std::string& size = ranking.methods.front().size;
@@ -203,11 +203,16 @@ void rank_errors_of_class(const StudyResults& results, Ranking& ranking, double 
     const std::string rmse = fmt::format("RMSE {}{}", from_to(brief(best.best), brief(best.last)),
                                          of_one_size || best.one() ? ", " + size : "");
     if (best.best < studies::rounding_error) {
+        std::vector<std::string> exact;
+        for (const Ranked& each : ranked) {
+            if (each.group == 0)
+                exact.push_back(exact_name(findings, findings.cells[each.index].cell, ranking.pair_class));
+        }
         ranking.margin =
             is_exact_at_all_sizes(findings, plan.cells[findings.cells[ranked.front().index].cell], ranking.pair_class)
                 ? "is exact"
                 : fmt::format("is exact at {}", size);
-        ranking.said = fmt::format(" {} {} exact to rounding", listed(best.names), best.one() ? "is" : "are");
+        ranking.said = fmt::format(" {} {} exact to rounding", listed(std::move(exact)), best.one() ? "is" : "are");
     } else if (ranked.size() == 1) {
         const auto& interval = ranked.front().interval;
         ranking.margin = fmt::format(
@@ -217,12 +222,12 @@ void rank_errors_of_class(const StudyResults& results, Ranking& ranking, double 
     } else if (best.one()) {
         set_margin(findings, ranked[0], ranked[1], ranking);
         ranking.said = fmt::format(" {} has the smallest error{}, {} times smaller than {} ({})", best.names.front(),
-                                   results.published ? " of the published methods" : "",
+                                   tables.empty() ? "" : " of the published methods",
                                    times_smaller(ranked[0], ranked[1]), ranking.methods[1].label, rmse);
     } else {
         ranking.said = fmt::format(" {} ({})", best.tied("have the smallest errors"), rmse);
     }
-    if (best.best < studies::rounding_error || results.published) return;
+    if (best.best < studies::rounding_error || !tables.empty()) return;
     ranking.but = but_at_equal_cost(results, ranked, ranking.scene, ranking.pair_class);
     if (!ranking.but.empty()) ranking.said += "; " + ranking.but;
 }
