@@ -73,10 +73,11 @@ std::vector<std::string> claims_in_brief(const studies::PublishedResults& publis
     return lines;
 }
 
-/// "17.9 million kernel values"
-std::string cost(const studies::Analysis& findings, std::size_t cell) {
-    const studies::Method& method = findings.plan.spec.methods[findings.plan.cells[cell].method];
-    const auto evaluations = static_cast<double>(findings.cells[cell].evaluations_per_face);
+/// "536 million kernel values", in a run
+std::string cost(const studies::Analysis& findings, std::size_t index) {
+    const studies::Cell& cell = findings.plan.cells[findings.cells[index].cell];
+    const studies::Method& method = findings.plan.spec.methods[cell.method];
+    const auto evaluations = static_cast<double>(studies::evaluations_per_trial(findings.plan, cell));
     return fmt::format("{:.3g} million {}", evaluations / 1e6, estimator_info(method).evaluations);
 }
 
@@ -96,7 +97,7 @@ std::string in_words(const studies::StudyResults& results, const PrintedErrors& 
         if (cell == errors.cell || other == nullptr || !other->interval) continue;
         const auto ratio = studies::ratio_interval(*log_rmse(*other), *log_rmse(own, true), plan.spec.level);
         text += fmt::format(
-            " The RMSE of {} ({} per face) is {} to {} times that of {} ({}) by these figures, and {} times by the "
+            " The RMSE of {} ({}) is {} to {} times that of {} ({}) by these figures, and {} times by the "
             "printed ones.",
             method(errors.cell), cost(findings, errors.cell), brief(ratio->low), brief(ratio->high), method(cell),
             cost(findings, cell), brief(errors.printed_rms / other->rmse, 2));

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,10 +18,16 @@ namespace {
 using studies::Contest;
 using studies::Ranked;
 
-/// How many times the evaluations of the other one takes.
+/// How many times the evaluations of the other one takes, over all faces: a ray serves all of them, a value of the
+/// kernel one pair.
 double times_the_cost(const studies::Analysis& findings, const Ranked& one, const Ranked& other) {
-    return static_cast<double>(findings.cells[one.index].evaluations_per_face) /
-           static_cast<double>(findings.cells[other.index].evaluations_per_face);
+    const studies::StudyPlan& plan = findings.plan;
+    const auto evaluations = [&](const Ranked& each) {
+        const std::uint64_t in_trial =
+            studies::evaluations_per_trial(plan, plan.cells[findings.cells[each.index].cell]);
+        return static_cast<double>(std::max<std::uint64_t>(1, in_trial));
+    };
+    return evaluations(one) / evaluations(other);
 }
 
 /// Costs that differ by less count as equal.

@@ -39,7 +39,7 @@ struct Ranking {
     /// another.
     std::vector<std::string> leaders = {};
     std::string margin = {};  ///< lead of a single leader: "errs 4.9 times less than PDM (4.6 to 5.2)"
-    std::string cost = {};    ///< the evaluations that this takes: " with 170 times fewer evaluations"
+    std::string cost = {};    ///< the evaluations that this takes: " with 845 times fewer evaluations"
     std::string but = {};  ///< what speaks against taking the leaders: "at equal evaluations a errs less"; often empty
     std::string caveat = {};  ///< a sentence on what is not ranked; may be empty
     std::string again = {};   ///< the margin after one of the same kind: "4.9 times (4.6 to 5.2)"; may be empty
