@@ -28,6 +28,19 @@ bool are_graded(const Scene& scene, int from, int to) {
     return is_of_parallelograms(scene, from) && is_of_parallelograms(scene, to) && !may_be_occluded(scene, from, to);
 }
 
+/// Between any two points on the inside of a sphere the kernel has the same value.
+bool are_inside_one_sphere(const Scene& scene, int from, int to) {
+    const SphereZone* first = nullptr;
+    for (const Surface& surface : scene.surfaces) {
+        if (surface.face != from && surface.face != to) continue;
+        const auto* zone = std::get_if<SphereZone>(&surface.shape);
+        if (zone == nullptr || zone->facing != Facing::inward) return false;
+        if (first == nullptr) first = zone;
+        if (zone->centre != first->centre || zone->radius != first->radius) return false;
+    }
+    return first != nullptr;
+}
+
 }  // namespace
 
 std::optional<double> kernel_tail_index(Contact contact, PointMap map) {
@@ -47,7 +60,7 @@ std::optional<double> kernel_tail_index(Contact contact, PointMap map) {
 
 bool kernel_has_variance(const Scene& scene, int from, int to, PointMap map) {
     const Contact contact = closest_contact(scene, from, to);
-    if (contact == Contact::none) return true;
+    if (contact == Contact::none || are_inside_one_sphere(scene, from, to)) return true;
     const auto index = kernel_tail_index(contact, are_graded(scene, from, to) ? map : PointMap::uniform);
     return !index || *index > 2;
 }

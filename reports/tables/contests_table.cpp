@@ -197,8 +197,8 @@ Table decisions_table(const studies::StudyResults& results, bool timed) {
         "decisions", fmt::format("Which method to take, at {}", in_words(equal)),
         "Of each kind of pairs the methods that are best in the most cases (scenes and classes of pairs): nothing is "
         "shown to have a smaller mean square error, which may be that of rounding. In parentheses in how many of the "
-        "cases that they can do, "
-        "and how many times the smallest mean square error they make where they do worst.",
+        "cases that they can do (without a variance or a common cost, they are not compared), and how many times the "
+        "smallest mean square error they make where they do worst.",
         columns({"pairs", ">cases", "take", "or"})};
     for (const studies::Decision& decision : studies::decide(plan, results.contests, equal)) {
         // All methods that are best as often as the one at this place.
@@ -206,8 +206,8 @@ Table decisions_table(const studies::StudyResults& results, bool timed) {
             std::vector<std::string> names;
             for (; place < decision.choices.size(); ++place) {
                 const studies::Choice& choice = decision.choices[place];
-                if (!names.empty() && (choice.best != decision.choices[place - 1].best ||
-                                       choice.entered != decision.choices[place - 1].entered))
+                if (!names.empty() &&
+                    (choice.best != decision.choices[place - 1].best || choice.ran != decision.choices[place - 1].ran))
                     break;
                 names.push_back(plan.spec.methods[choice.method].name);
             }
@@ -218,10 +218,12 @@ Table decisions_table(const studies::StudyResults& results, bool timed) {
             const studies::Choice& choice = decision.choices[place];
             const auto names = alike(place);
             const std::string worst = names.size() > 1 ? " each"
+                                      : choice.ran > choice.entered
+                                          ? fmt::format(", not compared in {}", choice.ran - choice.entered)
                                       : std::isfinite(choice.largest_handicap)
                                           ? fmt::format(", at worst {}", brief(choice.largest_handicap, 2))
                                           : ", elsewhere another is exact";
-            return fmt::format("{} ({} of {}{})", listed(names), choice.best, choice.entered, worst);
+            return fmt::format("{} ({} of {}{})", listed(names), choice.best, choice.ran, worst);
         };
         table.rows.push_back({std::string(kind_in_words(decision.kind)), std::to_string(decision.cases), text(0),
                               text(alike(0).size())});

@@ -130,6 +130,10 @@ std::string on_pairs(const studies::StudyPlan& plan, std::size_t scene, std::str
     return fmt::format("on {} pairs{}", classes, of_scene(plan, scene));
 }
 
+std::string begin_on_pairs(const studies::StudyPlan& plan, std::size_t scene, std::string_view classes) {
+    return on_pairs(plan, scene, classes) + (of_scene(plan, scene).empty() ? "" : ",");
+}
+
 std::string heading_of(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class) {
     return fmt::format("{}{} pairs", scene_prefix(plan, scene), name(pair_class));
 }

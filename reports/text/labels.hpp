@@ -49,6 +49,9 @@ std::string_view kind_in_words(studies::PairKind kind);
 /// The pairs of classes in words: "on parallel pairs", "on parallel and adjacent pairs of cube".
 std::string on_pairs(const studies::StudyPlan& plan, std::size_t scene, std::string_view classes);
 
+/// The same as the first words of a sentence, with a comma where they end with the name of a scene.
+std::string begin_on_pairs(const studies::StudyPlan& plan, std::size_t scene, std::string_view classes);
+
 /// The same as a heading: "adjacent pairs", "cube: adjacent pairs".
 std::string heading_of(const studies::StudyPlan& plan, std::size_t scene, PairClass pair_class);
 

@@ -120,7 +120,7 @@ std::optional<MainFinding> on_choice(const StudyResults& results) {
         std::vector<std::string> methods;
         std::vector<std::string> kinds;
         std::size_t best = 0;
-        std::size_t entered = 0;
+        std::size_t ran = 0;
     };
     std::vector<Taken> all;
     for (const studies::Decision& decision : studies::decide(plan, results.contests, studies::Equal::evaluations)) {
@@ -129,7 +129,7 @@ std::optional<MainFinding> on_choice(const StudyResults& results) {
         const std::string kind(kind_in_words(decision.kind));
         std::vector<std::string> names;
         for (const studies::Choice& choice : decision.choices) {
-            if (choice.best == first.best && choice.entered == first.entered)
+            if (choice.best == first.best && choice.ran == first.ran)
                 names.push_back(plan.spec.methods[choice.method].name);
         }
         auto same = std::ranges::find(all, names, &Taken::methods);
@@ -139,7 +139,7 @@ std::optional<MainFinding> on_choice(const StudyResults& results) {
         }
         same->kinds.push_back(kind);
         same->best += first.best;
-        same->entered += first.entered;
+        same->ran += first.ran;
         Ranking& ranking = found.rankings.emplace_back();
         ranking.heading = fmt::format("{} pairs", kind);
         ranking.leaders = std::move(names);
@@ -147,17 +147,16 @@ std::optional<MainFinding> on_choice(const StudyResults& results) {
         for (const studies::Choice& choice : decision.choices) {
             if (ranking.methods.size() == most_methods || choice.best == 0) break;
             ranking.methods.push_back({plan.spec.methods[choice.method].name, choice.method, "",
-                                       static_cast<double>(choice.best) / static_cast<double>(choice.entered),
-                                       std::nullopt, std::nullopt,
-                                       fmt::format("{} of {}", choice.best, choice.entered)});
+                                       static_cast<double>(choice.best) / static_cast<double>(choice.ran), std::nullopt,
+                                       std::nullopt, fmt::format("{} of {}", choice.best, choice.ran)});
         }
     }
-    std::ranges::stable_sort(all, std::ranges::greater(), &Taken::entered);
+    std::ranges::stable_sort(all, std::ranges::greater(), &Taken::ran);
     for (const Taken& taken : all) {
         const bool begins = found.clauses.empty();
         found.clauses.push_back(fmt::format("{}{} on {} pairs ({}{} of {}{})",
                                             begins ? "at equal evaluations take " : "", listed(taken.methods, 3, "or"),
-                                            listed(taken.kinds), begins ? "best in " : "", taken.best, taken.entered,
+                                            listed(taken.kinds), begins ? "best in " : "", taken.best, taken.ran,
                                             begins ? " cases" : ""));
     }
     if (found.clauses.empty()) return std::nullopt;

@@ -161,11 +161,11 @@ Headline headline(const studies::StudyResults& results) {
     for (KeyNumber& number : numbers_on_methods(results, said.finding, most_on_methods))
         out.numbers.push_back(std::move(number));
     if (const auto slowest = slowest_where_occluded(results)) {
-        out.numbers.push_back(
-            {fmt::format("{}: {} of {}", slowest->method, slowest->slow, slowest->pairs),
-             "partly occluded pairs slower than random points",
-             fmt::format("There its error falls more slowly than N^{:g}, on more pairs than that of any other method.",
-                         slope_of_random)});
+        out.numbers.push_back({fmt::format("{}: {} of {}", slowest->method, slowest->slow, slowest->pairs),
+                               "partly occluded pairs slower than random points",
+                               fmt::format("There its error is shown to fall more slowly than N^{:g}, on more pairs "
+                                           "than that of any other method.",
+                                           studies::slope_of_random)});
     }
     if (KeyNumber bias = bias_number(results.findings); !bias.value.empty()) out.numbers.push_back(std::move(bias));
     if (results.published && results.published->audit.figures > 0) {

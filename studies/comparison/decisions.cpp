@@ -13,13 +13,20 @@
 namespace ff::studies {
 namespace {
 
+std::set<std::size_t> methods_of(const StudyPlan& plan, std::size_t scene) {
+    std::set<std::size_t> methods;
+    for (const Cell& cell : plan.cells) {
+        if (cell.scene == scene) methods.insert(cell.method);
+    }
+    return methods;
+}
+
 void add_contest(const StudyPlan& plan, const Contest& contest, std::map<std::size_t, Choice>& choices) {
     std::set<std::size_t> counted;  // a method may enter with several numbers of patches: its best counts
     for (const std::size_t cell : contest.exact) {
         const std::size_t method = plan.cells[cell].method;
         counted.insert(method);
         Choice& choice = choices[method];
-        choice.method = method;
         ++choice.entered;
         ++choice.best;
     }
@@ -28,7 +35,6 @@ void add_contest(const StudyPlan& plan, const Contest& contest, std::map<std::si
         const std::size_t method = plan.cells[entrant.cell].method;
         if (!counted.insert(method).second) continue;
         Choice& choice = choices[method];
-        choice.method = method;
         ++choice.entered;
         if (entrant.group == 0) ++choice.best;
         const double best = contest.exact.empty() ? contest.entrants.front().value : 0;
@@ -65,6 +71,10 @@ std::vector<Decision> decide(const StudyPlan& plan, std::span<const Contest> con
         auto& [cases, choices] = by_kind[pair_kind(plan.scenes[contest->scene], contest->pair_class)];
         ++cases;
         add_contest(plan, *contest, choices);
+        for (const std::size_t method : methods_of(plan, contest->scene)) {
+            choices[method].method = method;
+            ++choices[method].ran;
+        }
     }
     std::vector<Decision> decisions;
     for (const auto& [kind, found] : by_kind) {

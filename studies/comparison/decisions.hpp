@@ -11,7 +11,8 @@ namespace ff::studies {
 /// The results of a method in all cases of a kind.
 struct Choice {
     std::size_t method = 0;       ///< index into StudySpec::methods
-    std::size_t entered = 0;      ///< cases
+    std::size_t ran = 0;          ///< cases
+    std::size_t entered = 0;      ///< cases where it has a variance, and a cost in common with others
     std::size_t best = 0;         ///< cases where nothing is shown to be better
     double largest_handicap = 1;  ///< largest estimated ratio to the best entrant; infinite where another is exact
 };

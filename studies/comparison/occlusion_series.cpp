@@ -3,6 +3,7 @@
 #include "core/configurations/built_in_scene.hpp"
 #include "core/configurations/catalogue.hpp"
 #include "core/exact/known_factors.hpp"
+#include "stats/basics/distributions.hpp"
 #include "studies/comparison/ranking.hpp"
 #include "studies/theory/known_variance.hpp"
 
@@ -115,6 +116,29 @@ void judge_hidden_pair(const StudyPlan& plan, double alpha, HiddenPair& scene) {
     }
 }
 
+/// Whether a slope is shown to be flatter than that of random points, by an interval of a level that is wider where the
+/// sizes may not lie on a line.
+bool is_slower_than_random(const Slope& slope, double level) {
+    if (!slope.interval) return slope.variance == VarianceStatus::none && *slope.slope > slope_of_random;
+    const double widening = (slope.may_bend ? slope.misfit : 1) * stats::normal_critical((1 - level) / 2) /
+                            stats::normal_critical((1 - slope.interval->level) / 2);
+    return *slope.slope - widening * (*slope.slope - slope.interval->low) > slope_of_random;
+}
+
+void judge_slopes(std::vector<OcclusionSeries>& all, double level) {
+    std::vector<PairError*> with_slopes;
+    for (OcclusionSeries& series : all) {
+        for (HiddenPair& scene : series.scenes) {
+            for (auto& found : scene.methods) {
+                if (scene.is_partly_hidden() && found && found->slope && found->slope->slope)
+                    with_slopes.push_back(&*found);
+            }
+        }
+    }
+    for (PairError* found : with_slopes)
+        found->slower_than_random = is_slower_than_random(*found->slope, level_of_each(level, with_slopes.size()));
+}
+
 }  // namespace
 
 std::vector<OcclusionSeries> occlusion_series(const CellReader& cells, const Analysis& findings,
@@ -155,6 +179,7 @@ std::vector<OcclusionSeries> occlusion_series(const CellReader& cells, const Ana
         for (HiddenPair& scene : series.scenes)
             judge_hidden_pair(plan, (1 - plan.spec.level) / static_cast<double>(scenes), scene);
     }
+    judge_slopes(all, plan.spec.level);
     return all;
 }
 

@@ -10,12 +10,20 @@
 
 namespace ff::studies {
 
+/// The slope of random points, which no other set of points should fall short of.
+inline constexpr double slope_of_random = -0.5;
+
 /// The error of a method on one pair of faces.
 struct PairError {
     std::size_t cell = 0;  ///< the method's size closest to the common number of evaluations
     ClassError error;      ///< error on this pair alone
     /// Slope along the method's ladder: of the RMSE, or of the median where there is no variance.
     std::optional<Slope> slope;
+    /// Whether the slope is shown to be flatter than that of random points, on a partly occluded pair: at the study's
+    /// level over all such slopes of all series (Bonferroni). That of a deterministic method has no interval, and is
+    /// compared as it is.
+    bool slower_than_random = false;
+
     [[nodiscard]] double size() const {
         return error.status == VarianceStatus::infinite ? error.median_abs_error : error.rmse;
     }
@@ -31,6 +39,8 @@ struct HiddenPair {
     /// Whether the error of `least` is shown to be smaller than that of every other method: at the study's level over
     /// all scenes of all series, and over the methods, from which it is picked (Bonferroni).
     bool decided = false;
+
+    [[nodiscard]] bool is_partly_hidden() const { return hidden > 0 && exact > 0; }
 };
 
 /// The same pair of faces in scenes of a family, by ascending occluded fraction.

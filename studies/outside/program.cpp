@@ -126,10 +126,10 @@ bool Program::has(std::string_view placeholder) const {
 void Program::expect_placeholders_among(std::vector<std::string_view> known) const {
     known.insert(known.end(), {"{seed}", "{trial}"});
     const std::string_view text = text_;
-    for (std::size_t begin = text.find('{'); begin != text.npos; begin = text.find('{', begin + 1)) {
+    for (std::size_t begin = text.find('{'); begin != std::string_view::npos; begin = text.find('{', begin + 1)) {
         const std::size_t end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_", begin + 1);
         const bool of_a_shell = begin > 0 && text[begin - 1] == '$';
-        if (end == text.npos || text[end] != '}' || end == begin + 1 || of_a_shell) continue;
+        if (end == std::string_view::npos || text[end] != '}' || end == begin + 1 || of_a_shell) continue;
         const std::string_view word = text.substr(begin, end + 1 - begin);
         if (std::find(known.begin(), known.end(), word) != known.end()) continue;
         throw UserError("{} ({} is not replaced by anything). {}There are {}; a script may hold other braces.",

@@ -42,8 +42,11 @@ struct ZoneWall {
 class ZoneReader {
   public:
     ZoneReader(std::string_view name, const std::vector<Object>& objects, const std::string& wanted)
-        : name_(name), builder_(name), objects_(objects), zones_(name, objects, wanted) {
-        lacks_version_ = has_extension(name, ".idf");
+        : name_(name),
+          builder_(name),
+          objects_(objects),
+          zones_(name, objects, wanted),
+          lacks_version_(has_extension(name, ".idf")) {
         for (const Object& object : objects) {
             if (object.kind->name == "construction:airboundary") air_boundaries_.insert(object.small_text("name"));
             if (object.kind->name == "version") lacks_version_ = false;

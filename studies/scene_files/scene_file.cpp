@@ -51,7 +51,7 @@ bool SceneSource::is_file() const {
 }
 
 std::string SceneSource::title() const {
-    const std::string place = zone.empty() ? name : fmt::format("{}{}{}", name, before_zone, zone);
+    std::string place = zone.empty() ? name : fmt::format("{}{}{}", name, before_zone, zone);
     if (mirrors.empty()) return place;
     return fmt::format("{}{}{}", place, before_mirrors, fmt::join(mirrors, std::string_view(&between_mirrors, 1)));
 }

@@ -50,12 +50,12 @@ struct Equals {
     std::array<Law, samplers_of_laws.size()> laws;
 };
 
-constexpr Equals all_equals[] = {
+constexpr auto all_equals = std::to_array<Equals>({
     {"Normal", {normal, normal, normal, normal, normal}},
     {"Skewed", {log_normal, log_normal, log_normal, log_normal, log_normal}},
     {"OneNormal", {normal, log_normal, log_normal, log_normal, log_normal}},
     {"OneOfEach", {normal, log_normal, gamma_of_half, two_values, one_in_ten}},
-};
+});
 
 StudyPlan plan_of_five(std::uint64_t trials) {
     std::string text =

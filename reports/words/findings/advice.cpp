@@ -172,7 +172,7 @@ std::vector<std::string> clauses_of(const studies::StudyPlan& plan, const std::v
             if (next->random_cell) break;
             classes.emplace_back(name(next->pair_class));
         }
-        clauses.push_back(on_pairs(plan, first->scene, listed(std::move(classes))) + (*first).*said);
+        clauses.push_back(begin_on_pairs(plan, first->scene, listed(std::move(classes))) + (*first).*said);
         first = next;
     }
     return clauses;

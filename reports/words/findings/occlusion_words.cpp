@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace ff::reports {
@@ -17,10 +18,6 @@ using studies::StudyResults;
 
 bool is_open(const HiddenPair& scene) {
     return scene.hidden == 0;
-}
-
-bool is_partly_hidden(const HiddenPair& scene) {
-    return scene.hidden > 0 && scene.exact > 0;
 }
 
 /// All scenes of all series for which a condition holds.
@@ -38,8 +35,7 @@ std::vector<const HiddenPair*> scenes_where(const StudyResults& results, Conditi
 /// Slopes of one method, in ascending order.
 struct Slopes {
     std::vector<double> values;
-    /// Number that are shown to be flatter than that of random points; without an interval, number that are.
-    int flat = 0;
+    int flat = 0;  ///< number that are shown to be flatter than that of random points
 };
 
 Slopes slopes_of(const std::vector<const HiddenPair*>& scenes, std::size_t method) {
@@ -47,8 +43,7 @@ Slopes slopes_of(const std::vector<const HiddenPair*>& scenes, std::size_t metho
     for (const HiddenPair* scene : scenes) {
         const auto& found = scene->methods[method];
         if (!found || !found->slope || !found->slope->slope) continue;
-        const double steepest = found->slope->interval ? found->slope->interval->low : *found->slope->slope;
-        if (steepest > slope_of_random) ++slopes.flat;
+        if (found->slower_than_random) ++slopes.flat;
         slopes.values.push_back(*found->slope->slope);
     }
     std::sort(slopes.values.begin(), slopes.values.end());
@@ -64,14 +59,14 @@ std::string range(const std::vector<double>& ascending) {
 /// "PDM: ..."; empty where it has no slope in hidden scenes.
 std::string slopes_in_words(const StudyResults& results, std::size_t method) {
     const Slopes open = slopes_of(scenes_where(results, is_open), method);
-    const Slopes hidden = slopes_of(scenes_where(results, is_partly_hidden), method);
+    const Slopes hidden = slopes_of(scenes_where(results, std::mem_fn(&HiddenPair::is_partly_hidden)), method);
     if (hidden.values.empty()) return {};
     return fmt::format(
-        "{}: the error falls with slope {}{} where a part is occluded (median {:.2f}), slower than "
-        "random points' {:.1f} in {} of {} cases.",
+        "{}: the error falls with slope {}{} where a part is occluded (median {:.2f}), shown to be "
+        "slower than random points' {:.1f} in {} of {} cases.",
         results.findings.plan.spec.methods[method].name,
         open.values.empty() ? "" : fmt::format("{} unoccluded, ", range(open.values)), range(hidden.values),
-        hidden.values[hidden.values.size() / 2], slope_of_random, hidden.flat, hidden.values.size());
+        hidden.values[hidden.values.size() / 2], studies::slope_of_random, hidden.flat, hidden.values.size());
 }
 
 std::string share(double hidden) {
@@ -99,8 +94,8 @@ std::vector<std::pair<std::string, int>> most_wins(const StudyResults& results,
 }
 
 /// How a method without a variance in some of these scenes is to be replaced there: "; where its variance is infinite
-/// (3 pairs), take Sobol' rays", by the method whose error is least in most of them; empty where no such method has
-/// one.
+/// (3 pairs), take Sobol' rays", by the method whose error is shown to be least in most of them; empty where no such
+/// method has one.
 std::string where_variance_is_infinite(const StudyResults& results, const std::vector<const HiddenPair*>& scenes,
                                        const std::string& taken) {
     const auto& methods = results.findings.plan.spec.methods;
@@ -114,7 +109,7 @@ std::string where_variance_is_infinite(const StudyResults& results, const std::v
         const auto chosen = std::ranges::find(methods, taken, &studies::Method::name);
         if (!is_infinite(static_cast<std::size_t>(chosen - methods.begin()))) continue;
         ++infinite;
-        if (scene->least && !is_infinite(*scene->least)) ++least[*scene->least];
+        if (scene->least && scene->decided && !is_infinite(*scene->least)) ++least[*scene->least];
     }
     const auto most = std::ranges::max_element(least);
     if (most == least.end() || *most == 0) return {};
@@ -153,7 +148,7 @@ std::vector<std::string> occlusion_in_brief(const StudyResults& results) {
 std::optional<Slowed> slowest_where_occluded(const StudyResults& results) {
     std::optional<Slowed> slowest;
     bool alone = true;
-    const auto hidden = scenes_where(results, is_partly_hidden);
+    const auto hidden = scenes_where(results, std::mem_fn(&HiddenPair::is_partly_hidden));
     for (std::size_t method = 0; method < results.findings.plan.spec.methods.size(); ++method) {
         const Slopes slopes = slopes_of(hidden, method);
         if (slopes.flat == 0 || (slowest && slopes.flat < slowest->slow)) continue;
@@ -164,7 +159,7 @@ std::optional<Slowed> slowest_where_occluded(const StudyResults& results) {
 }
 
 std::string occlusion_advice(const StudyResults& results) {
-    const auto hidden = scenes_where(results, is_partly_hidden);
+    const auto hidden = scenes_where(results, std::mem_fn(&HiddenPair::is_partly_hidden));
     const auto open = scenes_where(results, is_open);
     const auto best = most_wins(results, hidden);
     const auto best_open = most_wins(results, open);
@@ -202,7 +197,7 @@ std::string occlusion_clause(const StudyResults& results) {
         return listed(std::move(parts));
     };
     const auto open = scenes_where(results, is_open);
-    const auto hidden = scenes_where(results, is_partly_hidden);
+    const auto hidden = scenes_where(results, std::mem_fn(&HiddenPair::is_partly_hidden));
     if (hidden.empty()) return {};
     return fmt::format("with about the same number of evaluations, the smallest errors are those of {}{}",
                        tell(hidden, "partly occluded pair"),

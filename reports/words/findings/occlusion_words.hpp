@@ -19,9 +19,6 @@ std::string occlusion_clause(const studies::StudyResults& results);
 /// Which method to take where something is in between, and where nothing is. @pre occlusion_clause is not empty
 std::string occlusion_advice(const studies::StudyResults& results);
 
-/// The slope of random points, which no other set of points should fall short of.
-inline constexpr double slope_of_random = -0.5;
-
 /// A method whose error falls more slowly than that of random points where something is in between.
 struct Slowed {
     std::string method;

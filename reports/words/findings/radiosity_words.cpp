@@ -31,12 +31,13 @@ Treatment own_treatment(const studies::StudyPlan& plan, std::size_t cell) {
 std::string dominance_text(const Consequences& found) {
     if (found.dominant_below.least > 1 - rounding) return "keeps diagonal dominance at every reflectance below 1";
     if (found.trials == 1) {
-        return fmt::format("loses diagonal dominance from reflectance {} on, and its spectral radius reaches 1 at {}",
-                           brief(found.dominant_below.least, 4), brief(found.convergent_below.least, 4));
+        return fmt::format(
+            "loses diagonal dominance from reflectance {} on; the spectral radius of P F reaches 1 at {}",
+            brief(found.dominant_below.least, 4), brief(found.convergent_below.least, 4));
     }
     return fmt::format(
-        "loses diagonal dominance from reflectance {} on in half of the trials, from {} in the worst, whose "
-        "spectral radius reaches 1 at {}",
+        "loses diagonal dominance from reflectance {} on in half of the trials, from {} in the worst; the "
+        "spectral radius of P F reaches 1 at {} there",
         brief(found.dominant_below.median, 4), brief(found.dominant_below.least, 4),
         brief(found.convergent_below.least, 4));
 }
@@ -94,7 +95,7 @@ std::string repair_line(const studies::StudyResults& results) {
             parts.push_back(fmt::format("{}: {}", cell_label(plan, plan.cells[cell]), fmt::join(errors, ", ")));
     }
     if (parts.empty()) return {};
-    return fmt::format("Exitance error after each repair at reflectance {}: {}.", setting_text(plan, told),
+    return fmt::format("Exitance error at reflectance {}, estimated or repaired: {}.", setting_text(plan, told),
                        fmt::join(parts, "; "));
 }
 
@@ -171,8 +172,9 @@ std::string bias_order_line(const studies::StudyResults& results) {
     }
     if (fitted.empty()) return {};
     return fmt::format(
-        "The exitance is biased though the factors are not: with N rays per face by some power of N, −1 for large N. "
-        "Clear at every size in {} of {} cases: {}.",
+        "The exitance is biased though the factors are not: with N rays per face its bias falls as a power of N, −1 "
+        "for "
+        "large N. The power could be fitted in {} of {} cases, where the bias is clear at every size: {}.",
         fitted.size(), results.bias_orders.size(), fmt::join(fitted, "; "));
 }
 
@@ -293,7 +295,7 @@ std::optional<LightInBrief> light_in_brief(const studies::StudyResults& results)
     for (const auto& [method, at] : errors)
         parts.push_back(fmt::format("{} with {}", light_error_text(*at), plan.spec.methods[method].name));
     brief.clause =
-        fmt::format("at reflectance {}{} the exitance error is {}{}{}", brief.reflectance, patches_in_words(plan),
+        fmt::format("at reflectance {}{} the RMS exitance error is {}{}{}", brief.reflectance, patches_in_words(plan),
                     fmt::join(parts, ", "), plan.scenes.size() > 1 ? ", in the scene where it is largest" : "",
                     balancing_in_words(results));
     const auto [least, largest] = std::minmax_element(errors.begin(), errors.end(), [](const auto& a, const auto& b) {

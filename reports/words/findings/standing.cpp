@@ -113,18 +113,18 @@ void rank_rates_of_class(const StudyResults& results, Ranking& ranking, double l
         fmt::format("{} {}", ranked.of_median ? "slope of the median error" : "slope", slope_and_reach(first));
     if (ranked.slopes.size() == 1) {
         ranking.margin = "converges with " + steepest;
-        ranking.said = fmt::format(" the error of {} falls with {}", best.names.front(), steepest);
+        ranking.said = fmt::format(" the error of {} falls with {}", listed(best.names), steepest);
     } else if (best.one()) {
         ranking.again = fmt::format("({})", steepest);
         ranking.margin = "converges fastest " + ranking.again;
-        ranking.said = fmt::format(" {} {}", best.names.front(), ranking.margin);
+        ranking.said = fmt::format(" {} {}", listed(best.names), ranking.margin);
     } else {
         ranking.said = fmt::format(" {} ({} {})", best.tied("converge fastest"),
                                    ranked.of_median ? "slopes of the median error" : "slopes",
                                    from_to(fmt::format("{:.2f}", best.best), fmt::format("{:.2f}", best.last)));
     }
     if (last.alone && !best.all)
-        ranking.said += fmt::format("; {} slowest ({})", ranking.methods.back().label, slope_and_reach(last));
+        ranking.said += fmt::format("; {} slowest ({})", listed({ranking.methods.back().label}), slope_and_reach(last));
     // Errors of methods without an interval, such as deterministic ones, may fall faster or more slowly than these.
     const auto is_beyond = [&](const studies::LadderSlopes& ladder) {
         return ladder.ladder.scene == ranking.scene &&
@@ -170,8 +170,9 @@ std::string which_variances_are_left_out(const studies::Analysis& findings, std:
     return some ? "Infinite variances are not compared." : "";
 }
 
-/// The same, or else on methods that have no size in common with those of a ranking of errors.
-std::string which_errors_are_left_out(const studies::Analysis& findings, const Ranking& ranking) {
+/// The same, or else on methods that have too few trials, or no size in common with those of a ranking of errors.
+std::string which_errors_are_left_out(const studies::Analysis& findings, std::span<const std::size_t> compared,
+                                      const Ranking& ranking) {
     if (std::string some = which_variances_are_left_out(findings, ranking.scene); !some.empty()) return some;
     const studies::StudyPlan& plan = findings.plan;
     std::set<std::size_t> left_out;
@@ -182,7 +183,11 @@ std::string which_errors_are_left_out(const studies::Analysis& findings, const R
         left_out.insert(cell.method);
     }
     for (const RankedMethod& method : ranking.methods) left_out.erase(method.method);
-    return left_out.empty() ? "" : "Methods without a common size are not compared.";
+    if (left_out.empty()) return {};
+    const auto has_common_size = [&](std::size_t cell) { return left_out.contains(plan.cells[cell].method); };
+    return std::any_of(compared.begin(), compared.end(), has_common_size)
+               ? "Methods with too few trials are not compared."
+               : "Methods without a common size are not compared.";
 }
 
 void rank_errors_of_class(const StudyResults& results, Ranking& ranking, double level) {
@@ -190,11 +195,11 @@ void rank_errors_of_class(const StudyResults& results, Ranking& ranking, double 
     const studies::StudyPlan& plan = findings.plan;
     // A publication with tables says which of its methods it compares.
     const auto tables = results.published ? results.published->comparisons : std::vector<studies::TableComparison>();
-    const auto ranked = studies::rank_errors(findings, studies::compared_cells(findings, ranking.scene, tables),
-                                             ranking.pair_class, level);
+    const auto compared = studies::compared_cells(findings, ranking.scene, tables);
+    const auto ranked = studies::rank_errors(findings, compared, ranking.pair_class, level);
     if (ranked.empty()) return;
     ranking.methods = ranked_cells(plan, ranked);
-    if (tables.empty()) ranking.caveat = which_errors_are_left_out(findings, ranking);
+    if (tables.empty()) ranking.caveat = which_errors_are_left_out(findings, compared, ranking);
     const Leaders best = leaders(ranked, ranking.methods);
     if (!best.all || best.one()) ranking.leaders = best.names;
     const std::string& size = ranking.methods.front().size;
@@ -218,12 +223,12 @@ void rank_errors_of_class(const StudyResults& results, Ranking& ranking, double 
         ranking.margin = fmt::format(
             "has an RMSE of {}{} at {}", brief(best.best),
             interval ? fmt::format(" ({} to {})", brief(interval->low), brief(interval->high)) : std::string(), size);
-        ranking.said = fmt::format(" {} {}", best.names.front(), ranking.margin);
+        ranking.said = fmt::format(" {} {}", listed(best.names), ranking.margin);
     } else if (best.one()) {
         set_margin(findings, ranked[0], ranked[1], ranking);
-        ranking.said = fmt::format(" {} has the smallest error{}, {} times smaller than {} ({})", best.names.front(),
+        ranking.said = fmt::format(" {} has the smallest error{}, {} times smaller than {} ({})", listed(best.names),
                                    tables.empty() ? "" : " of the published methods",
-                                   times_smaller(ranked[0], ranked[1]), ranking.methods[1].label, rmse);
+                                   times_smaller(ranked[0], ranked[1]), listed({ranking.methods[1].label}), rmse);
     } else {
         ranking.said = fmt::format(" {} ({})", best.tied("have the smallest errors"), rmse);
     }
@@ -266,7 +271,7 @@ void rank_variances_of_size(const StudyResults& results, Ranking& ranking, doubl
 }  // namespace
 
 std::string sentence(const Ranking& ranking, const studies::StudyPlan& plan) {
-    return fmt::format("O{}{}.", on_pairs(plan, ranking.scene, name(ranking.pair_class)).substr(1), ranking.said);
+    return fmt::format("O{}{}.", begin_on_pairs(plan, ranking.scene, name(ranking.pair_class)).substr(1), ranking.said);
 }
 
 std::vector<Ranking> rank_rates(const StudyResults& results) {

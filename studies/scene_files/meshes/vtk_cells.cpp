@@ -175,7 +175,7 @@ std::optional<std::string> choose_array(SurfaceMesh& mesh, const std::vector<Vtk
         unused.insert(piece.arrays.others.begin(), piece.arrays.others.end());
         for (const VtkArray& array : piece.arrays.usable) unused.insert(array.name);
     }
-    const auto first = names.empty() ? std::nullopt : std::optional(names.front());
+    auto first = names.empty() ? std::nullopt : std::optional(names.front());
     if (first) unused.erase(*first);
     if (!unused.empty())
         mesh.remark(fmt::format("no array of whole numbers or texts tells its faces apart; {} {} not used",

@@ -177,7 +177,7 @@ Standardised standardise(Rows runs) {
         squares += square;
         fourth += square * square;
         variation += std::pow(variance - 1, 2) / (n - 1);
-        values += run.n > 0 ? std::max(1.0, run.n - 1) : infinity;
+        values = run.n > 0 ? values + std::max(1.0, run.n - 1) : infinity;
         result.within_two += std::sqrt(square) <= 1.959964 * std::sqrt(variance * (1 - 2 / n) + 1 / n) ? 1u : 0u;
     }
     const double kurtosis = squares > 0 ? n * fourth / (squares * squares) - 3 : 0;

@@ -8,7 +8,7 @@ small_study 20 >"$folder/study.toml"
 ffstudy radiosity "$folder/study.toml" --reflectance 0.5,0.95 --emission 0,0,0,0,0,1 --out lit
 expect_status 0
 expect_stdout "I − P F keeps diagonal dominance at every reflectance below 1; at 0.5 the exitance error is"
-expect_stdout "Exitance error after each repair at reflectance 0.5: "
+expect_stdout "Exitance error at reflectance 0.5, estimated or repaired: "
 grep -Fq "## What the errors do to the light" lit/report.md || fail "report.md says nothing of light"
 
 # Every column of the tables is explained, under its own name or that of its three.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -19,9 +20,15 @@ double by_corners(const SeenRectangle& seen, double width, double height) {
 }
 
 // In front, to each side, across an axis, near the plane, and nearly all of the hemisphere.
-constexpr SeenRectangle rectangles[]{{-1, -1, 2, 2, 1},     {1, 2, 3, 1, 0.5},       {-4, 0.1, 3, 2, 2},
-                                     {-4, -3, 2, 1, 1},     {-0.5, 1, 2, 0.3, 0.01}, {0, 0, 1, 1, 1},
-                                     {-9, -8, 17, 19, 0.1}, {2, -30, 0.01, 60, 3},   {-30, 2, 60, 0.01, 3}};
+constexpr auto rectangles = std::to_array<SeenRectangle>({{-1, -1, 2, 2, 1},
+                                                          {1, 2, 3, 1, 0.5},
+                                                          {-4, 0.1, 3, 2, 2},
+                                                          {-4, -3, 2, 1, 1},
+                                                          {-0.5, 1, 2, 0.3, 0.01},
+                                                          {0, 0, 1, 1, 1},
+                                                          {-9, -8, 17, 19, 0.1},
+                                                          {2, -30, 0.01, 60, 3},
+                                                          {-30, 2, 60, 0.01, 3}});
 
 TEST(HalfSolidAngle, MatchesFourRectanglesOverACorner) {
     for (const SeenRectangle& seen : rectangles)

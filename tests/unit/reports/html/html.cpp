@@ -71,7 +71,8 @@ TEST(HtmlReport, StaysBelowItsLimitForALargeStudy) {
     }
     const auto store = test::fill(test::plan_of(test::study_text("trials = 5", methods)),
                                   [](std::size_t cell, std::uint64_t trial, int from, int to) {
-                                      const auto faces = static_cast<std::size_t>(5 * from + 7 * to);
+                                      const auto faces =
+                                          5 * static_cast<std::size_t>(from) + 7 * static_cast<std::size_t>(to);
                                       return 0.125 + static_cast<double>((cell + 3 * trial + faces) % 4) / 16;
                                   });
     const std::string text = html_report(studies::evaluate(store), shipped_templates());

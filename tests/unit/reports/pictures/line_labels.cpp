@@ -83,7 +83,8 @@ TEST(MethodStyles, AreInColourForEveryMethodThatTheAnswerNames) {
     }
     const auto store = test::fill(test::plan_of(test::study_text("trials = 64", methods)),
                                   [](std::size_t cell, std::uint64_t trial, int from, int to) {
-                                      const auto pair = static_cast<std::size_t>(6 * from + to);
+                                      const auto pair =
+                                          6 * static_cast<std::size_t>(from) + static_cast<std::size_t>(to);
                                       const std::size_t mixed = (cell + 1) * 2654435761u ^ (trial + 1) * 40503u * pair;
                                       const double sign = mixed >> 7 & 1u ? 1 : -1;
                                       return 0.2 + sign * (cell < 5 ? 0.05 : 0.005);
