@@ -95,7 +95,13 @@ std::string in_words(const studies::StudyResults& results, const PrintedErrors& 
     for (const std::size_t cell : cells) {
         const studies::ClassError* other = findings.cells[cell].class_error(errors.pair_class);
         if (cell == errors.cell || other == nullptr || !other->interval) continue;
-        const auto ratio = studies::ratio_interval(*log_rmse(*other), *log_rmse(own, true), plan.spec.level);
+        const auto is_answer = [&](const studies::Rivalry& rivalry) {
+            return rivalry.better == cell && rivalry.worse == errors.cell && rivalry.pair_class == errors.pair_class;
+        };
+        const auto answer = std::find_if(results.rivals.begin(), results.rivals.end(), is_answer);
+        const auto ratio = answer != results.rivals.end() && answer->interval
+                               ? answer->interval
+                               : studies::ratio_interval(*log_rmse(*other), *log_rmse(own, true), plan.spec.level);
         text += fmt::format(
             " The RMSE of {} ({}) is {} to {} times that of {} ({}) by these figures, and {} times by the "
             "printed ones.",
