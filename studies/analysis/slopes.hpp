@@ -26,8 +26,8 @@ struct Slope {
     VarianceStatus variance = VarianceStatus::finite;
     std::size_t points = 0;       ///< sizes in the fit
     std::optional<double> slope;  ///< empty without variance (rmse), or where the error is rounding
-    /// Bootstrap over whole trials; for the rmse of fewer than 30 trials what covers it and `interval_from_fit`. Empty
-    /// for deterministic methods.
+    /// Bootstrap over whole trials; for the rmse what covers it and `interval_from_fit`. Empty for deterministic
+    /// methods.
     std::optional<stats::Interval> interval;
     std::optional<stats::Interval> interval_from_fit;  ///< from the weights of the fit; rmse only
     std::optional<double> lack_of_fit_p;  ///< p-value of a straight line; rmse only. Where small, by the rule for means

@@ -116,7 +116,7 @@ TEST(Answer, HasAtMost35Words) {
 }
 
 TEST(Answer, RanksSlopesThatCanBeDistinguished) {
-    const auto results = results_of("trials = 40", R"([[method]]
+    const auto results = results_of("trials = 100", R"([[method]]
 name = "random"
 sampler = "random"
 estimator = "ray_shooting"

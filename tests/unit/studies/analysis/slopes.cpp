@@ -77,27 +77,26 @@ TEST(Slopes, AllowForCorrelatedPairsOfAClass) {
     const Slope& pair_slope = *std::find_if(pairs.begin(), pairs.end(), [](const Slope& slope) {
         return slope.pair_class == PairClass::parallel && slope.statistic == ErrorSize::rmse;
     });
-    EXPECT_NEAR(class_slope.interval->width() / pair_slope.interval->width(), 1, 1e-6);
+    EXPECT_NEAR(class_slope.interval->width() / pair_slope.interval->width(), 1, 0.1);
     EXPECT_NEAR(class_slope.interval_from_fit->width() / pair_slope.interval_from_fit->width(), 1, 0.1);
     EXPECT_LT(apart.front().classes.front().rmse.interval->width(), 0.7 * class_slope.interval->width());
 }
 
-// The bootstrap of five trials alone holds in 86 %.
-TEST(Slopes, HaveWiderIntervalsWhereTrialsAreFew) {
-    const auto interval_of = [](int trials) {
+// The bootstrap of five trials alone holds in 86 %, of a hundred in 94 %.
+TEST(Slopes, HaveIntervalsThatCoverThoseOfTheFit) {
+    for (const int trials : {5, 100}) {
         const auto plan = test::plan_of(test::study_text(fmt::format("trials = {}", trials), R"([[method]]
 name = "a"
 sampler = "halton"
 estimator = "area_kernel"
 samples_per_patch = [64, 256, 1024, 4096]
 )"));
-        return slopes_of(store_with_rate(plan, -1, 0)).front().classes.front().rmse;
-    };
-    const Slope few = interval_of(5);
-    EXPECT_LE(few.interval->low, few.interval_from_fit->low);
-    EXPECT_GE(few.interval->high, few.interval_from_fit->high);
-    EXPECT_EQ(few.interval->method, "bootstrap_and_wls");
-    EXPECT_EQ(interval_of(30).interval->method, "percentile_bootstrap");
+        const ClassSlopes found = slopes_of(store_with_rate(plan, -1, 0)).front().classes.front();
+        EXPECT_LE(found.rmse.interval->low, found.rmse.interval_from_fit->low);
+        EXPECT_GE(found.rmse.interval->high, found.rmse.interval_from_fit->high);
+        EXPECT_EQ(found.rmse.interval->method, "bootstrap_and_wls");
+        EXPECT_EQ(found.median.interval->method, "percentile_bootstrap");
+    }
 }
 
 TEST(Slopes, UseOnlyTheMedianUnderInfiniteVariance) {
