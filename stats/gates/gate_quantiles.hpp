@@ -12,9 +12,14 @@ namespace detail {
 
 constexpr double pi = 3.14159265358979323846;
 
+/// ln Gamma(a), a > 0.
+inline double log_gamma(double a) {
+    return std::lgamma(a);  // NOLINT(concurrency-mt-unsafe): nobody reads the sign, which it keeps for all threads
+}
+
 /// ln Gamma(a + 1/2) - ln Gamma(a); large arguments would cancel.
 inline double log_gamma_step(double a) {
-    if (a < 20) return std::lgamma(a + 0.5) - std::lgamma(a);
+    if (a < 20) return log_gamma(a + 0.5) - log_gamma(a);
     const double r = 1 / (a * a);
     return 0.5 * std::log(a) - (1.0 / 8 - r * (1.0 / 192 - r * (1.0 / 640 - r * (17.0 / 14336)))) / a;
 }
@@ -26,7 +31,8 @@ inline double beta_fraction(double a, double b, double x) {
     double c = 1;
     double d = 1 / guarded(1 - (a + b) * x / (a + 1));
     double h = d;
-    for (double m = 1; m < 100'000; ++m) {
+    for (int i = 1; i < 100'000; ++i) {
+        const double m = i;
         const double even = m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m));
         d = 1 / guarded(1 + even * d);
         c = guarded(1 + even / c);
@@ -66,11 +72,11 @@ inline LogTail normal_log_tail(double z) {
 /// ln P(X > x) (or P(X < x)) of chi-squared, by series or continued fraction [press2007] 6.2; for `upper` the hazard is
 /// that of falling probabilities.
 inline double gamma_tail(double a, double x, bool upper) {
-    const double front = a * std::log(x) - x - std::lgamma(a);
+    const double front = a * std::log(x) - x - log_gamma(a);
     if (x < a + 1) {
         double term = 1 / a;
         double sum = term;
-        for (double k = a + 1; term > sum * 1e-17; ++k) sum += term *= x / k;
+        for (int k = 1; term > sum * 1e-17; ++k) sum += term *= x / (a + k);
         const double log_lower = front + std::log(sum);
         return upper ? std::log1p(-std::exp(log_lower)) : log_lower;
     }
@@ -78,7 +84,7 @@ inline double gamma_tail(double a, double x, bool upper) {
     double c = 1e300;
     double d = 1 / b;
     double h = d;
-    for (double i = 1; i < 100'000; ++i) {
+    for (int i = 1; i < 100'000; ++i) {
         const double an = -i * (i - a);
         b += 2;
         d = 1 / (an * d + b);
@@ -141,10 +147,11 @@ inline double chi_squared_critical(double freedom, double tail) {
     const double log_p = std::log(upper ? tail : 1 - tail);
     const double cube = 1 - 2 / (9 * freedom) + normal_critical(tail) * std::sqrt(2 / (9 * freedom));
     // Where Wilson and Hilferty's cube leaves its range, P(X < x) is near (x/2)^a / Gamma(a + 1).
-    double x = cube > 0.1 ? freedom * cube * cube * cube : 2 * std::exp((log_p + std::lgamma(a + 1)) / a);
+    double x = cube > 0.1 ? freedom * cube * cube * cube : 2 * std::exp((log_p + detail::log_gamma(a + 1)) / a);
     for (int i = 0; i < 100; ++i) {
         const double at = detail::gamma_tail(a, x / 2, upper);
-        const double slope = std::exp(a * std::log(x / 2) - x / 2 - std::lgamma(a) - at);  // derivative of ln P by ln x
+        const double slope =
+            std::exp(a * std::log(x / 2) - x / 2 - detail::log_gamma(a) - at);  // derivative of ln P by ln x
         const double step = std::clamp((upper ? at - log_p : log_p - at) / slope, -2.0, 2.0);
         x *= std::exp(step);
         if (std::abs(step) < 1e-8) break;

@@ -11,9 +11,6 @@
 namespace ff::samplers {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
-
 /// Coordinate d of point i is 1000 * trial + 10 * i + d.
 PointSet counted(const SetRequest& request) {
     PointSet set{request.points, request.dimension, 1, {}};

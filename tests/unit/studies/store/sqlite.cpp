@@ -20,7 +20,7 @@ std::filesystem::path killed_while_writing(const std::filesystem::path& folder) 
         "BEGIN IMMEDIATE; WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 1000) "
         "INSERT INTO t SELECT zeroblob(1000) FROM n;");
     sqlite3_db_cacheflush(writer.handle());
-    const auto left = folder / "left.sqlite";
+    auto left = folder / "left.sqlite";
     std::filesystem::copy_file(file, left);
     std::filesystem::copy_file(folder / "store.sqlite-journal", folder / "left.sqlite-journal");
     writer.execute("ROLLBACK");
