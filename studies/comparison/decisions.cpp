@@ -82,7 +82,8 @@ std::vector<Decision> decide(const StudyPlan& plan, std::span<const Contest> con
         Decision& decision = decisions.emplace_back(Decision{kind, equal, cases, {}});
         for (const auto& [method, choice] : choices) decision.choices.push_back(choice);
         std::ranges::stable_sort(decision.choices, [](const Choice& a, const Choice& b) {
-            return a.best != b.best ? a.best > b.best : a.largest_handicap < b.largest_handicap;
+            if (a.best != b.best) return a.best > b.best;
+            return a.ran != b.ran ? a.ran < b.ran : a.largest_handicap < b.largest_handicap;
         });
     }
     return decisions;

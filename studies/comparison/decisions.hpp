@@ -38,7 +38,7 @@ struct Decision {
     PairKind kind = PairKind::other;
     Equal equal = Equal::evaluations;
     std::size_t cases = 0;        ///< scenes and classes of pairs
-    std::vector<Choice> choices;  ///< most often best first; ties by the smaller handicap
+    std::vector<Choice> choices;  ///< most often best first; ties by fewer cases, then by the smaller handicap
 };
 
 /// Empty where a study has one scene.

@@ -258,6 +258,11 @@ name = "unoccluded"
 sampler = "sobol"
 estimator = "point_to_polygon"
 samples_per_patch = 256
+[[method]]
+name = "kernel"
+sampler = "random"
+estimator = "area_kernel"
+samples_per_patch = 256
 )");
     const Store store = test::run(plan);
     const auto decisions = decide(plan, hold_contests(store, analyse(store)), Equal::evaluations);
@@ -267,11 +272,17 @@ samples_per_patch = 256
     EXPECT_EQ(of_kind(PairKind::parallel).cases, 2u);
     EXPECT_EQ(of_kind(PairKind::occluded).cases, 1u);
     const auto& occluded = of_kind(PairKind::occluded).choices;
-    ASSERT_EQ(occluded.size(), 2u);
+    ASSERT_EQ(occluded.size(), 3u);
     EXPECT_EQ(plan.spec.methods[occluded[0].method].name, "polygons");
     EXPECT_EQ(occluded[0].best, 1u);
     EXPECT_EQ(occluded[1].best, 0u);
     EXPECT_GT(occluded[1].largest_handicap, 4);
+    // The kernel has no variance where faces touch.
+    const Decision& adjacent = of_kind(PairKind::adjacent);
+    const auto kernel = std::ranges::find(adjacent.choices, std::size_t{3}, &Choice::method);
+    ASSERT_NE(kernel, adjacent.choices.end());
+    EXPECT_EQ(kernel->ran, adjacent.cases);
+    EXPECT_EQ(kernel->entered, 0u);
 }
 
 }  // namespace
