@@ -127,6 +127,7 @@ void OutputFolder::leave() const {
 
 /// Cleans only folders to which results are written: others may belong to other runs.
 void OutputFolder::clean() const {
+    const std::lock_guard lock(mutex_);
     std::set<std::filesystem::path> folders{path_};
     for (const auto& [name, owner] : owners_) folders.insert((path_ / name).parent_path());
     for (const auto& folder : folders) remove_temporaries(folder);
@@ -134,6 +135,7 @@ void OutputFolder::clean() const {
 
 /// One line a file, "OWNER\tNAME"; the last one counts.
 void OutputFolder::read_list() {
+    const std::lock_guard lock(mutex_);
     std::ifstream in(path_ / list_name);
     for (std::string line; std::getline(in, line);) {
         const auto tab = line.find('\t');
@@ -142,6 +144,7 @@ void OutputFolder::read_list() {
 }
 
 void OutputFolder::inherit(std::string_view kind) {
+    const std::lock_guard lock(mutex_);
     for (auto& [name, owner] : owners_) {
         if (owner.starts_with(kind)) owner = owner_;
     }
@@ -183,6 +186,7 @@ void OutputFolder::claim(const std::string& name) {
         throw IoError("{}: cannot be written. Check the folder, its permissions and the free space.",
                       (path_ / list_name).string());
     }
+    const std::lock_guard lock(mutex_);
     owners_[name] = owner_;
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <mutex>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -59,6 +60,7 @@ class OutputFolder {
     std::filesystem::path path_;
     std::string owner_;
     FolderLock lock_;
+    mutable std::mutex mutex_;                   ///< of changes of `owners_`: a signal's thread cleans the folders
     std::map<std::string, std::string> owners_;  ///< owner of each file, by the file's name
     OnEnd end_;
 };
