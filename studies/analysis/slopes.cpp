@@ -245,6 +245,17 @@ void judge_together(std::vector<LadderSlopes>& ladders, double level) {
 
 }  // namespace
 
+std::optional<stats::Interval> interval_with_misfit(const Slope& slope, double level) {
+    if (!slope.interval) return std::nullopt;
+    stats::Interval wider = *slope.interval;
+    const double factor = (slope.may_bend ? slope.misfit : 1) * stats::normal_critical((1 - level) / 2) /
+                          stats::normal_critical((1 - wider.level) / 2);
+    wider.low = *slope.slope - factor * (*slope.slope - wider.low);
+    wider.high = *slope.slope + factor * (wider.high - *slope.slope);
+    wider.level = level;
+    return wider;
+}
+
 std::string_view name(ErrorSize size) {
     return size == ErrorSize::rmse ? "rmse" : "median_abs_error";
 }

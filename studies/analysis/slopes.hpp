@@ -39,6 +39,10 @@ struct Slope {
     bool few_trials = false;      ///< few at some size, or they repeat each other: there is neither an interval nor a p
 };
 
+/// The interval of a slope at another level, under a normal law, and wider by its misfit where a straight line may not
+/// fit. Empty where the slope has no interval.
+std::optional<stats::Interval> interval_with_misfit(const Slope& slope, double level);
+
 /// The comparison of theory and trials for a class of pairs.
 enum class RateFinding {
     as_expected,  ///< no difference found at the study's level, over all classes of all methods together (Holm)

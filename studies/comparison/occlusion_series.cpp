@@ -116,13 +116,11 @@ void judge_hidden_pair(const StudyPlan& plan, double alpha, HiddenPair& scene) {
     }
 }
 
-/// Whether a slope is shown to be flatter than that of random points, by an interval of a level that is wider where the
-/// sizes may not lie on a line.
+/// Whether a slope is shown to be flatter than that of random points, by its interval of this level.
 bool is_slower_than_random(const Slope& slope, double level) {
-    if (!slope.interval) return slope.variance == VarianceStatus::none && *slope.slope > slope_of_random;
-    const double widening = (slope.may_bend ? slope.misfit : 1) * stats::normal_critical((1 - level) / 2) /
-                            stats::normal_critical((1 - slope.interval->level) / 2);
-    return *slope.slope - widening * (*slope.slope - slope.interval->low) > slope_of_random;
+    if (slope.variance == VarianceStatus::none) return *slope.slope > slope_of_random;
+    const auto interval = interval_with_misfit(slope, level);
+    return interval && interval->low > slope_of_random;
 }
 
 void judge_slopes(std::vector<OcclusionSeries>& all, double level) {

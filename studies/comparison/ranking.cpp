@@ -186,11 +186,8 @@ RankedSlopes rank_slopes(std::span<const LadderSlopes> ladders, std::size_t scen
     std::vector<stats::Measured> measured;
     for_each([&](std::size_t i, const ClassSlopes& found) {
         const Slope& slope = out.of_median ? found.median : found.rmse;
-        if (!slope.slope || !slope.interval) return;
-        const double widening = found.bent || slope.may_bend ? slope.misfit : 1;
-        Ranked ranked{i, *slope.slope, slope.interval, 0, false};
-        ranked.interval->low = *slope.slope - widening * (*slope.slope - slope.interval->low);
-        ranked.interval->high = *slope.slope + widening * (slope.interval->high - *slope.slope);
+        if (!slope.interval) return;
+        const Ranked ranked{i, *slope.slope, interval_with_misfit(slope, slope.interval->level), 0, false};
         const double critical = stats::normal_critical((1 - slope.interval->level) / 2);
         measured.push_back(
             stats::with_error(*slope.slope, ranked.interval->width() / (2 * critical), fewest_trials(found)));

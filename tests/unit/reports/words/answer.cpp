@@ -15,6 +15,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -96,6 +98,22 @@ resolution = 32
     EXPECT_EQ(said.text.find("Take "), std::string::npos) << said.text;
     EXPECT_THAT(said.text, HasSubstr("at equal evaluations a errs less"));
     EXPECT_THAT(said.finding.details, testing::Contains(HasSubstr("; at equal evaluations a errs less")));
+}
+
+TEST(Answer, SaysWhichErrorsAreNotCompared) {
+    const auto text_with = [](std::string_view keys_of_the_third) {
+        std::string methods;
+        for (const auto& [name, keys] : {std::pair<std::string_view, std::string_view>{"a", "samples_per_patch = 64"},
+                                         {"b", "samples_per_patch = 64"},
+                                         {"c", keys_of_the_third}})
+            methods += fmt::format(
+                "[[method]]\nname = \"{}\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n{}\n", name, keys);
+        return answer(results_of("trials = 64", methods)).text;
+    };
+    EXPECT_THAT(text_with("samples_per_patch = 64"), Not(HasSubstr("not compared")));
+    EXPECT_THAT(text_with("samples_per_patch = 64\ntrials = 3"),
+                HasSubstr("Methods with too few trials are not compared."));
+    EXPECT_THAT(text_with("samples_per_patch = 128"), HasSubstr("Methods without a common size are not compared."));
 }
 
 TEST(Answer, LeavesThePremiseToTheDetails) {

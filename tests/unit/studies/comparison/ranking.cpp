@@ -45,19 +45,19 @@ TEST(GroupsApart, AreASingleGroupForIndistinguishableValues) {
     EXPECT_LE(apart, 40);
 }
 
-ClassSlopes slope_of(double slope, double reach, double misfit, bool bent) {
+ClassSlopes slope_of(double slope, double reach, double misfit, bool may_bend) {
     ClassSlopes found;
     found.pair_class = PairClass::parallel;
     found.rmse.slope = slope;
     found.rmse.interval = {.low = slope - reach, .high = slope + reach, .level = 0.95, .method = "", .n = 100};
     found.rmse.misfit = misfit;
-    found.bent = bent;
+    found.rmse.may_bend = may_bend;
     found.sizes.resize(1);
     found.sizes.front().trials = 1000;
     return found;
 }
 
-TEST(RankedSlopes, HaveWiderIntervalsWhereNoStraightLineFits) {
+TEST(RankedSlopes, HaveWiderIntervalsWhereAStraightLineMayNotFit) {
     std::vector<LadderSlopes> ladders(2);
     ladders[0].classes = {slope_of(-0.5, 0.1, 3, true)};
     ladders[1].classes = {slope_of(-1, 0.1, 3, false)};
