@@ -75,7 +75,8 @@ std::string finding_in_words(const studies::ClassSlopes& found) {
                            ? "exact to rounding"
                            : fmt::format("exact to rounding at {} of {} sizes", exact, found.sizes.size());
             if (found.rmse.variance != studies::VarianceStatus::none) return words + "no slope";
-            return "deterministic: no interval";
+            return found.rmse.slope && *found.rmse.slope >= 0 ? "deterministic: does not fall"
+                                                              : "deterministic: no interval";
         }
     }
     if (found.bent) words += fmt::format("; not a straight line ({})", p_text(*found.judged().lack_of_fit_p));
@@ -86,12 +87,12 @@ std::string finding_in_words(const studies::ClassSlopes& found) {
 
 Table slopes_table(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
-    Table table{
-        "slopes", "Slopes of ln(error) on ln(N)",
-        fmt::format("± half of the {:g} % interval (bootstrap over trials). Verdicts: Holm over all rows with a "
-                    "theory, {:g} % together.",
-                    100 * plan.spec.level, 100 * (1 - plan.spec.level)),
-        columns({"method", "sizes", "pairs", ">RMSE", ">median", "theory", "verdict"})};
+    Table table{"slopes", "Slopes of ln(error) on ln(N)",
+                fmt::format("± half of the {:g} % interval, wider where a straight line may not fit. Verdicts: Holm "
+                            "over all rows with a "
+                            "theory, {:g} % together.",
+                            100 * plan.spec.level, 100 * (1 - plan.spec.level)),
+                columns({"method", "sizes", "pairs", ">RMSE", ">median", "theory", "verdict"})};
     for (const studies::LadderSlopes& ladder : results.slopes) {
         const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[ladder.ladder.scene].name + " ";
         std::string method = scene + ladder.ladder.label;
@@ -115,14 +116,15 @@ Table convergence_table(const studies::StudyResults& results) {
         "convergence", "Convergence",
         fmt::format(
             "Slope of ln(error) on ln N, N evaluations for a face (for a pair of faces with area_kernel): weighted "
-            "least squares with Var(ln MSE) = ψ₁(T/2), scaled by how trials vary. Two intervals of level {:g}: by "
-            "bootstrap over whole trials (whose pairs may depend on each other), and from the weights of the fit. Lack "
-            "of fit: χ² of the straight line. Theory: the rate expected, with its source; “≤” where it only bounds the "
+            "least squares with Var(ln MSE) = ψ₁(T/2), scaled by how trials vary. Intervals of level {:g} "
+            "cover those by bootstrap over whole trials (whose pairs may depend on each other) and, of the RMSE, those "
+            "from the weights of the fit. Lack of fit: χ² of the straight line. Theory: the rate expected, with its "
+            "source; “≤” where it only bounds the "
             "error; a range where powers of ln N slow it down at these sizes. Verdicts: Holm over all rows with a "
             "theory, {:g} % together.",
             plan.spec.level, 100 * (1 - plan.spec.level)),
-        columns({"method", "pairs", "verdict", ">RMSE slope", ">~bootstrap", ">~from the fit", ">~lack of fit p",
-                 ">~median slope", ">~bootstrap", "~theory"})};
+        columns({"method", "pairs", "verdict", ">RMSE slope", ">~interval", ">~from the fit", ">~lack of fit p",
+                 ">~median slope", ">~interval", "~theory"})};
     for (const studies::LadderSlopes& ladder : results.slopes) {
         for (const studies::ClassSlopes& found : ladder.classes) {
             table.rows.push_back({scene_prefix(plan, ladder.ladder.scene) + ladder.ladder.label,

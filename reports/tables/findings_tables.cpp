@@ -41,15 +41,17 @@ std::string times_claimed(double ratio) {
 }  // namespace
 
 Table error_law_table(const studies::StudyResults& results) {
-    Table table{"error-law", "How the error of the deterministic methods falls",
-                "Closure error (mean row sum − 1) with m patches along an edge, fitted by c/m; the exponent fitted "
-                "freely beside it.",
-                columns({"method", ">c", ">largest residual of c/m", ">~free exponent", "~m", "~closure error"})};
+    Table table{
+        "error-law", "How the error of the deterministic methods falls",
+        fmt::format("Closure error (mean row sum − 1) with m patches along an edge, fitted by c/m, with no c where "
+                    "an error is further than {:g} % from it; the exponent fitted freely beside it.",
+                    100 * studies::ErrorLaw::most_misfit),
+        columns({"method", ">c", ">largest residual of c/m", ">~free exponent", "~m", "~closure error"})};
     for (const studies::ErrorLaw& law : results.error_laws) {
         std::vector<std::string> errors;
         for (const double error : law.closure_errors) errors.push_back(fmt::format("{:+.6f}", error));
         table.rows.push_back({law.method + (law.published ? ", as printed" : ""),
-                              fmt::format("{:+.4f}", law.first_order.coefficient),
+                              law.holds() ? fmt::format("{:+.4f}", law.first_order.coefficient) : "–",
                               brief(100 * law.first_order.largest_residual, 2) + " %",
                               law.free ? fmt::format("{:.4f}", law.free->exponent) : "–",
                               fmt::format("{}", fmt::join(law.m, ", ")), fmt::format("{}", fmt::join(errors, ", "))});
@@ -57,7 +59,7 @@ Table error_law_table(const studies::StudyResults& results) {
     for (const studies::ErrorLaw& printed : results.error_laws) {
         if (!printed.published) continue;
         for (const studies::ErrorLaw& ours : results.error_laws) {
-            if (ours.published || ours.method != printed.method) continue;
+            if (ours.published || ours.method != printed.method || !ours.holds() || !printed.holds()) continue;
             const double ratio = ours.first_order.coefficient / printed.first_order.coefficient;
             if (std::abs(ratio - 1) < 0.01) continue;
             table.remarks.push_back(fmt::format(

@@ -64,8 +64,9 @@ std::string sizes_text(const studies::StudyPlan& plan, const studies::Ladder& la
 
 std::string slope_text(const studies::Slope& slope) {
     if (!slope.slope) return "-";
-    return slope.interval ? fmt::format("{:.2f}±{:.2f}", *slope.slope, slope.interval->width() / 2)
-                          : fmt::format("{:.2f}", *slope.slope);
+    if (!slope.interval) return fmt::format("{:.2f}", *slope.slope);
+    const auto interval = studies::interval_with_misfit(slope, slope.interval->level);
+    return fmt::format("{:.2f}±{:.2f}", *slope.slope, interval->width() / 2);
 }
 
 std::string cell_label(const studies::StudyPlan& plan, const studies::Cell& cell) {

@@ -24,7 +24,7 @@ std::string size_label(const studies::StudyPlan& plan, const studies::Cell& cell
 /// Smallest and largest size of a ladder, and the number of sizes: "64 … 65536 (11)".
 std::string sizes_text(const studies::StudyPlan& plan, const studies::Ladder& ladder);
 
-/// "-0.66±0.02", half the width of its interval; "-0.25" without one; "-" without a slope.
+/// "-0.66±0.02", half the width of studies::interval_with_misfit; "-0.25" without one; "-" without a slope.
 std::string slope_text(const studies::Slope& slope);
 
 /// Method and size; the scene too where the study has several.

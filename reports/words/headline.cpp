@@ -162,10 +162,9 @@ Headline headline(const studies::StudyResults& results) {
         out.numbers.push_back(std::move(number));
     if (const auto slowest = slowest_where_occluded(results)) {
         out.numbers.push_back({fmt::format("{}: {} of {}", slowest->method, slowest->slow, slowest->pairs),
-                               "partly occluded pairs slower than random points",
-                               fmt::format("There its error is shown to fall more slowly than N^{:g}, on more pairs "
-                                           "than that of any other method.",
-                                           studies::slope_of_random)});
+                               fmt::format("partly occluded pairs slower than N^{:g}", studies::slope_of_random),
+                               "There its error is shown to fall more slowly than that of random points with finite "
+                               "variance, on more pairs than that of any other method."});
     }
     if (KeyNumber bias = bias_number(results.findings); !bias.value.empty()) out.numbers.push_back(std::move(bias));
     if (results.published && results.published->audit.figures > 0) {

@@ -110,26 +110,35 @@ bool is_below_the_top(const studies::StudyResults& results, std::size_t cell) {
 std::string verdicts_in_words(const studies::StudyPlan& plan, const std::vector<studies::LadderSlopes>& ladders) {
     std::size_t judged = 0;
     std::size_t expected = 0;
-    std::map<std::pair<PairClass, bool>, std::vector<std::string>> others;  // by class, and whether they are slower
+    struct Others {
+        std::vector<std::string> methods;
+        double largest_p = 0;
+    };
+    std::map<std::pair<PairClass, bool>, Others> others;  // by class, and whether they are slower
     for (const studies::LadderSlopes& ladder : ladders) {
         const std::string in_scene =
             plan.scenes.size() == 1 ? std::string() : " in " + plan.scenes[ladder.ladder.scene].name;
         for (const studies::ClassSlopes& found : ladder.classes) {
             if (!found.adjusted_p) continue;
             ++judged;
-            if (found.finding == studies::RateFinding::as_expected)
+            if (found.finding == studies::RateFinding::as_expected) {
                 ++expected;
-            else
-                others[{found.pair_class, found.finding == studies::RateFinding::slower}].push_back(
-                    ladder.ladder.label + in_scene);
+                continue;
+            }
+            Others& same = others[{found.pair_class, found.finding == studies::RateFinding::slower}];
+            same.methods.push_back(ladder.ladder.label + in_scene);
+            same.largest_p = std::max(same.largest_p, *found.adjusted_p);
         }
     }
     if (judged == 0) return {};
     std::string words = fmt::format("Of {} with a theory {} {} as expected", counted(judged, "rate"), expected,
                                     expected == 1 ? "is" : "are");
-    for (const auto& [which, methods] : others)
-        words += fmt::format("; on {} pairs {} {} {}", name(which.first), listed(methods),
-                             methods.size() == 1 ? "is" : "are", which.second ? "slower" : "faster");
+    for (const auto& [which, same] : others) {
+        const bool one = same.methods.size() == 1;
+        words +=
+            fmt::format("; on {} pairs {} {} {} ({}{})", name(which.first), listed(same.methods), one ? "is" : "are",
+                        which.second ? "slower" : "faster", one ? "" : "largest ", p_text(same.largest_p));
+    }
     return words + ".";
 }
 
@@ -173,9 +182,8 @@ std::vector<std::string> slopes_in_brief(const studies::StudyResults& results) {
 std::vector<std::string> error_laws_in_brief(const studies::StudyResults& results) {
     std::vector<std::string> laws;
     if (!results.occlusion.empty()) return laws;  // its scenes are not about row sums
-    constexpr double fits = 0.2;                  // no error is further from the line, as a share of it
     for (const studies::ErrorLaw& law : results.error_laws) {
-        if (law.first_order.largest_residual > fits) continue;
+        if (!law.holds()) continue;
         laws.push_back(fmt::format("{:+.4f} for {}{} (within {} %)", law.first_order.coefficient, law.method,
                                    law.published ? " as printed" : "",
                                    brief(100 * law.first_order.largest_residual, 2)));

@@ -18,6 +18,10 @@ struct ErrorLaw {
     std::vector<double> closure_errors;
     stats::PowerLaw first_order;          ///< c / m
     std::optional<stats::PowerLaw> free;  ///< c / m^p, both fitted
+
+    /// Whether no error is further from c / m than this share of it.
+    static constexpr double most_misfit = 0.2;
+    [[nodiscard]] bool holds() const { return first_order.largest_residual <= most_misfit; }
 };
 
 /// One law for each deterministic method with at least two subdivisions of a closed scene, then those of the

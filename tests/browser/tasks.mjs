@@ -54,7 +54,7 @@ const tasks = [
   {study: 'occlusion', asks: 'Does PDM suffer from occlusion?',
    async reads(page) {
      const cards = await page.$$eval('.numbers li', nodes => nodes.map(node => node.textContent));
-     return cards.some(text => /PDM: \d+ of \d+.*partly occluded pairs slower than random points/.test(text));
+     return cards.some(text => /PDM: \d+ of \d+.*partly occluded pairs slower than N\^-0\.5/.test(text));
    },
    knows: () => true},
   {study: 'radiosity_consequences', asks: 'What do errors by SR do to the light at reflectance 0.9?',

@@ -34,7 +34,7 @@ bool is_exact(const Ranking& ranking) {
     return !ranking.methods.front().value;
 }
 
-/// "-0.72 to -0.58", the hull of the intervals of these methods; empty where one has no value.
+/// "between -0.72 and -0.58", the hull of the intervals of these methods; empty where one has no value.
 std::string values_of(const std::vector<Ranking>& rankings, const std::vector<std::string>& labels) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
@@ -46,7 +46,8 @@ std::string values_of(const std::vector<Ranking>& rankings, const std::vector<st
             high = std::max(high, method.interval ? method.interval->high : *method.value);
         }
     }
-    return fmt::format("{} to {}", brief(low), brief(high));
+    if (brief(low) == brief(high)) return brief(low);
+    return fmt::format("between {} and {}", brief(low), brief(high));
 }
 
 /// "on parallel and adjacent pairs", "on pairs of all scenes"

@@ -22,8 +22,8 @@ inline constexpr Comparative converges_faster{"converge faster", "slopes ", "", 
 inline constexpr Comparative varies_less{"vary less", "", " times less than random points", "random points"};
 
 /// Advice on what to take, as clauses: "take sobol or halton: on parallel and adjacent pairs nothing is shown to err
-/// less (RMSE 0.0016 to 0.0023)". The numbers hold the intervals of all methods named. Where no method is among the
-/// best in all rankings of a size, a clause for each.
+/// less (RMSE between 0.0016 and 0.0023)". The numbers hold the intervals of all methods named. Where no method is
+/// among the best in all rankings of a size, a clause for each.
 /// @param words  how much is said of each ranking: the less, the more of them an answer has room for
 enum class Words { with_cost, with_margin, names_alone };
 std::vector<std::string> advice(const studies::StudyPlan& plan, std::vector<Ranking> rankings,

@@ -35,7 +35,8 @@ std::vector<const HiddenPair*> scenes_where(const StudyResults& results, Conditi
 /// Slopes of one method, in ascending order.
 struct Slopes {
     std::vector<double> values;
-    int flat = 0;  ///< number that are shown to be flatter than that of random points
+    int flat = 0;     ///< number that are shown to be flatter than that of random points
+    int medians = 0;  ///< number that are of the median error, for want of a variance
 };
 
 Slopes slopes_of(const std::vector<const HiddenPair*>& scenes, std::size_t method) {
@@ -44,6 +45,7 @@ Slopes slopes_of(const std::vector<const HiddenPair*>& scenes, std::size_t metho
         const auto& found = scene->methods[method];
         if (!found || !found->slope || !found->slope->slope) continue;
         if (found->slower_than_random) ++slopes.flat;
+        if (found->slope->statistic == studies::ErrorSize::median_abs_error) ++slopes.medians;
         slopes.values.push_back(*found->slope->slope);
     }
     std::sort(slopes.values.begin(), slopes.values.end());
@@ -63,10 +65,13 @@ std::string slopes_in_words(const StudyResults& results, std::size_t method) {
     if (hidden.values.empty()) return {};
     return fmt::format(
         "{}: the error falls with slope {}{} where a part is occluded (median {:.2f}), shown to be "
-        "slower than random points' {:.1f} in {} of {} cases.",
+        "flatter than that of random points with finite variance, {:.1f}, in {} of {} cases{}.",
         results.findings.plan.spec.methods[method].name,
         open.values.empty() ? "" : fmt::format("{} unoccluded, ", range(open.values)), range(hidden.values),
-        hidden.values[hidden.values.size() / 2], studies::slope_of_random, hidden.flat, hidden.values.size());
+        hidden.values[hidden.values.size() / 2], studies::slope_of_random, hidden.flat, hidden.values.size(),
+        hidden.medians > 0
+            ? fmt::format("; in {} the variance is infinite and the slope that of the median error", hidden.medians)
+            : "");
 }
 
 std::string share(double hidden) {

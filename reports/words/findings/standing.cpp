@@ -160,13 +160,12 @@ void set_margin(const studies::Analysis& findings, const Ranked& first, const Ra
 
 /// A sentence on errors that have no variance, which rankings do not compare; empty where there are none.
 std::string which_variances_are_left_out(const studies::Analysis& findings, std::size_t scene) {
-    const bool some =
-        std::any_of(findings.cells.begin(), findings.cells.end(), [&](const studies::CellAnalysis& found) {
-            return findings.plan.cells[found.cell].scene == scene &&
-                   std::any_of(
-                       found.class_errors.begin(), found.class_errors.end(),
-                       [&](const studies::ClassError& error) { return found.has_infinite_variance(error.pair_class); });
-        });
+    const bool some = std::ranges::any_of(findings.cells, [&](const studies::CellAnalysis& found) {
+        return findings.plan.cells[found.cell].scene == scene &&
+               std::ranges::any_of(found.class_errors, [&](const studies::ClassError& error) {
+                   return found.has_infinite_variance(error.pair_class);
+               });
+    });
     return some ? "Infinite variances are not compared." : "";
 }
 
@@ -246,7 +245,8 @@ void rank_variances_of_size(const StudyResults& results, Ranking& ranking, doubl
     const bool random_leads = std::any_of(ranked.begin(), ranked.end(), [&](const Ranked& each) {
         return each.index == ranking.random_cell && each.group == 0;
     });
-    ranking.caveat = which_variances_are_left_out(results.findings, ranking.scene);
+    ranking.caveat = which_are_exact(results, ranking.scene, ranking.pair_class);
+    if (ranking.caveat.empty()) ranking.caveat = which_variances_are_left_out(results.findings, ranking.scene);
     const std::string size = size_label(plan, plan.cells[*ranking.random_cell]);
     ranking.heading += ", " + size;
     ranking.at = fmt::format(" with {}", size);
@@ -294,6 +294,10 @@ std::vector<Ranking> rank_variances(const StudyResults& results) {
                        .pair_class = first.pair_class,
                        .random_cell = first.random_cell});
     }
+    // The largest sizes first, which tell most.
+    std::ranges::stable_sort(all, std::ranges::greater(), [&](const Ranking& ranking) {
+        return studies::evaluations_per_trial(plan, plan.cells[*ranking.random_cell]);
+    });
     const double level = studies::level_of_each(plan.spec.level, all.size());
     for (Ranking& ranking : all) rank_variances_of_size(results, ranking, level);
     return all;

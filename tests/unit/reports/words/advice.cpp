@@ -40,8 +40,9 @@ Ranking ranking(PairClass pair_class, std::vector<std::string> leaders) {
 TEST(Advice, NamesMethodsAmongTheBestOnAllPairs) {
     const std::vector<Ranking> rankings{ranking(PairClass::parallel, {"a", "b"}),
                                         ranking(PairClass::adjacent, {"b", "a", "c"})};
-    EXPECT_THAT(advice(plan(), rankings, errs_less),
-                ElementsAre("take a or b: on parallel and adjacent pairs nothing is shown to err less (RMSE 1 to 4)"));
+    EXPECT_THAT(
+        advice(plan(), rankings, errs_less),
+        ElementsAre("take a or b: on parallel and adjacent pairs nothing is shown to err less (RMSE between 1 and 4)"));
 }
 
 TEST(Advice, NamesTheMarginsOfASingleBestMethod) {
@@ -60,7 +61,7 @@ TEST(Advice, SpeaksOfEachClassWhereNoMethodIsBestOnAll) {
     exact.methods.front().value.reset();
     exact.margin = "is exact";
     EXPECT_THAT(advice(plan(), {exact, ranking(PairClass::adjacent, {"b", "c"})}, errs_less),
-                ElementsAre("on adjacent pairs take b or c: nothing is shown to err less (RMSE 2 to 10)",
+                ElementsAre("on adjacent pairs take b or c: nothing is shown to err less (RMSE between 2 and 10)",
                             "on parallel pairs a is exact"));
 }
 
@@ -69,13 +70,15 @@ TEST(Advice, NamesNoMethodWhereNothingIsShown) {
                 ElementsAre("on parallel and adjacent pairs no method is shown to err less than another"));
     EXPECT_THAT(
         advice(plan(), {ranking(PairClass::parallel, {}), ranking(PairClass::adjacent, {"a", "b"})}, varies_less),
-        ElementsAre("take a or b: on parallel and adjacent pairs nothing is shown to vary less (1 to 4 times less than "
+        ElementsAre("take a or b: on parallel and adjacent pairs nothing is shown to vary less (between 1 and 4 times "
+                    "less than "
                     "random points)"));
 }
 
 TEST(Advice, RecommendsNoMethodForItsSlope) {
-    EXPECT_THAT(advice(plan(), {ranking(PairClass::parallel, {"a", "b"})}, converges_faster),
-                ElementsAre("on parallel pairs nothing is shown to converge faster than a or b (slopes 1 to 4)"));
+    EXPECT_THAT(
+        advice(plan(), {ranking(PairClass::parallel, {"a", "b"})}, converges_faster),
+        ElementsAre("on parallel pairs nothing is shown to converge faster than a or b (slopes between 1 and 4)"));
 }
 
 TEST(Advice, SaysLessWhereRoomIsShort) {
@@ -98,8 +101,9 @@ TEST(Advice, KeepsSizesApart) {
     many.at = " with 625 rays";
     EXPECT_THAT(
         advice(plan(), {few, many}, errs_less),
-        ElementsAre("take a or b with 64 rays: on parallel pairs nothing is shown to err less (RMSE 1 to 4)",
-                    "take b or c with 625 rays: on parallel pairs nothing is shown to err less (RMSE 2 to 10)"));
+        ElementsAre(
+            "take a or b with 64 rays: on parallel pairs nothing is shown to err less (RMSE between 1 and 4)",
+            "take b or c with 625 rays: on parallel pairs nothing is shown to err less (RMSE between 2 and 10)"));
 }
 
 studies::Coverage row(studies::IntervalRule rule, std::uint64_t replicates, std::uint64_t covered, bool is_short) {
