@@ -46,7 +46,7 @@ expect_status 0
 
 ffstudy run study.toml --out whole --threads 2
 expect_status 0
-ffstudy report whole --format latex,svg --out more
+ffstudy report whole --format latex --out more
 expect_status 0
 /usr/bin/python3 - whole <<'END' || fail "the patches are not those of the grids"
 import csv, pathlib, sys
