@@ -26,6 +26,7 @@
 #include "studies/form_factors/store/store.hpp"
 #include "studies/heat/materials.hpp"
 #include "studies/scene_files/scene_file.hpp"
+#include "studies/scene_files/scene_with_materials.hpp"
 
 #include <fmt/format.h>
 

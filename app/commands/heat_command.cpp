@@ -18,6 +18,7 @@
 #include "studies/form_factors/store/stored_request.hpp"
 #include "studies/heat/flow_sampling.hpp"
 #include "studies/readers/text_file.hpp"
+#include "studies/scene_files/scene_with_materials.hpp"
 
 #include <fmt/format.h>
 

@@ -8,6 +8,7 @@
 #include "app/terminal/output.hpp"
 
 #include "core/configurations/catalogue.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
 #include "reports/text/scene_text.hpp"

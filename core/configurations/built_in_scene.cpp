@@ -4,6 +4,7 @@
 #include "core/configurations/closed_forms.hpp"
 #include "core/configurations/scenes.hpp"
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
 #include "core/support/nearest_name.hpp"

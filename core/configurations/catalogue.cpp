@@ -4,6 +4,7 @@
 #include "core/configurations/closed_forms.hpp"
 #include "core/configurations/scenes.hpp"
 #include "core/formulas/rectangle_formulas.hpp"
+#include "core/geometry/scene.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/scene.hpp"
+#include "core/geometry/fwd.hpp"
 
 #include <optional>
 #include <span>

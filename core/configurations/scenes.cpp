@@ -1,5 +1,7 @@
 #include "core/configurations/scenes.hpp"
 
+#include "core/geometry/scene.hpp"
+
 #include <Eigen/Geometry>
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/estimators/graded_map.hpp"
+#include "core/geometry/subdivision.hpp"
 #include "core/patches/patch_order.hpp"
 #include "core/points/points.hpp"
 #include "core/tracing/tracer.hpp"
@@ -54,6 +54,12 @@ struct Integrands {
 
 /// Whether something may stand between the faces of a pair.
 enum class Hiding { none, possible };
+
+/// How 4-D points are placed on a pair of patches.
+enum class PointMap {
+    uniform,  ///< evenly
+    graded,   ///< denser towards an edge or a vertex that the patches share, with weights to match
+};
 
 /// The choices of a study besides the sampler, if the estimator has the option.
 struct EstimatorOptions {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/estimators/estimator.hpp"
 #include "core/geometry/scene.hpp"
 #include "core/points/points.hpp"
 #include "core/visibility/touching.hpp"
@@ -9,12 +10,6 @@
 #include <optional>
 
 namespace ff {
-
-/// How 4-D points are placed on a pair of patches.
-enum class PointMap {
-    uniform,  ///< evenly
-    graded,   ///< denser towards an edge or a vertex that the patches share, with weights to match
-};
 
 /// Where patches touch, the kernel cos cos / (pi r^2) is unbounded. The graded map replaces a coordinate s that leads
 /// away from the contact by s^power and multiplies the weight by power * s^(power - 1):

@@ -1,5 +1,7 @@
 #include "core/formulas/far_exchange.hpp"
 
+#include "core/geometry/scene.hpp"
+
 #include <Eigen/Geometry>
 
 #include <boost/math/quadrature/gauss.hpp>

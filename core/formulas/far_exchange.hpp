@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/formulas/polygon_exchange.hpp"
-#include "core/geometry/scene.hpp"
+#include "core/geometry/fwd.hpp"
 
 #include <optional>
 

@@ -1,6 +1,7 @@
 #include "core/formulas/rectangle_formulas.hpp"
 
 #include "core/formulas/limits.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/contract.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "core/geometry/box.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 
 #include <fmt/format.h>

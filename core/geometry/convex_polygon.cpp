@@ -1,5 +1,7 @@
 #include "core/geometry/convex_polygon.hpp"
 
+#include "core/geometry/scene.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

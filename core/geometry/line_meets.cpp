@@ -1,5 +1,6 @@
 #include "core/geometry/line_meets.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "core/support/overloaded.hpp"
 
 #include <Eigen/Geometry>

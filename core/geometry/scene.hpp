@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/geometry/subdivision.hpp"
+
 #include <Eigen/Core>
 
 #include <cstdint>
@@ -92,20 +94,6 @@ inline Facing facing(const Shape& shape) {
 /// Belongs to no face: an obstacle. Rays that end there are not counted.
 inline constexpr int no_face = -1;
 
-/// Parts of equal area that a surface is divided into. Part row*columns + column lies at s in [column/columns,
-/// (column+1)/columns] and t in [row/rows, (row+1)/rows]: on a parallelogram, along edge_u and edge_v. Both are 1 or
-/// more.
-struct Grid {
-    std::uint32_t columns;
-    std::uint32_t rows;
-
-    [[nodiscard]] std::uint32_t parts() const { return columns * rows; }
-    bool operator==(const Grid&) const = default;
-};
-
-/// A surface that is not divided.
-inline constexpr Grid undivided{1, 1};
-
 /// One piece of a scene's boundary. It radiates and receives on one side only: that of `normal` (unit length) where it
 /// is flat, that of its `facing` where it is curved (`normal` is then 0).
 struct Surface {
@@ -114,6 +102,10 @@ struct Surface {
     int face = 0;  ///< index into Scene::faces, no_face or mirror_face (core/visibility/mirrors.hpp)
     Grid grid = undivided;
 };
+
+inline Grid Subdivision::of(const Surface& surface) const {
+    return {surface.grid.columns * m, surface.grid.rows * m};
+}
 
 /// The part of a face that something stands on, or that stands on something: it has been cut out.
 struct CoveredPart {
@@ -143,18 +135,6 @@ struct Scene {
     std::vector<std::string> remarks;  ///< what reading a file changed or left out, in words
     /// Edge lengths a, b, c where the scene is the inside of [0,a]x[0,b]x[0,c].
     std::optional<Eigen::Vector3d> empty_box;
-};
-
-/// m x m patches in every part of a surface's grid. The patches of a scene are numbered surface by surface, on each as
-/// the parts of their grid are: core/patches/patch_order.hpp.
-struct Subdivision {
-    std::uint32_t m = 1;
-
-    [[nodiscard]] std::uint32_t per_part() const { return m * m; }
-    /// The patches of a surface.
-    [[nodiscard]] Grid of(const Surface& surface) const { return {surface.grid.columns * m, surface.grid.rows * m}; }
-    /// The patches of a scene.
-    [[nodiscard]] std::uint64_t patches(const Scene& scene) const;
 };
 
 /// Area of a shape, in squared units of length.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/convex_polygon.hpp"
-#include "core/geometry/scene.hpp"
+#include "core/geometry/fwd.hpp"
 
 #include <optional>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/scene.hpp"
+#include "core/geometry/subdivision.hpp"
 
 #include <optional>
 #include <vector>

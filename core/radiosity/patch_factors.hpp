@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/estimators/graded_map.hpp"
+#include "core/estimators/estimator.hpp"
 #include "core/estimators/rays/ray_shooting.hpp"
-#include "core/geometry/scene.hpp"
+#include "core/geometry/subdivision.hpp"
 #include "core/points/points.hpp"
 #include "core/radiosity/repair.hpp"
 #include "core/tracing/tracer.hpp"

@@ -2,6 +2,7 @@
 
 #include "core/geometry/line_meets.hpp"
 #include "core/geometry/scene.hpp"
+#include "core/geometry/subdivision.hpp"
 #include "core/points/points.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/geometry/fwd.hpp"
 #include "core/geometry/joined_surfaces.hpp"
-#include "core/geometry/scene.hpp"
 
 #include <Eigen/Geometry>
 

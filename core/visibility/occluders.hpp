@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/geometry/fwd.hpp"
 #include "core/geometry/joined_surfaces.hpp"
-#include "core/geometry/scene.hpp"
 #include "core/geometry/shaft.hpp"
 #include "core/visibility/bodies.hpp"
 #include "core/visibility/cluster_tree.hpp"

@@ -2,6 +2,7 @@
 
 #include "core/formulas/polygon_factor.hpp"
 #include "core/geometry/convex_polygon.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/contract.hpp"
 
 #include <Eigen/Geometry>

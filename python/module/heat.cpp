@@ -6,6 +6,7 @@
 #include "studies/heat/heat.hpp"
 #include "studies/readers/text_file.hpp"
 #include "studies/scene_files/scene_file.hpp"
+#include "studies/scene_files/scene_with_materials.hpp"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

@@ -122,8 +122,8 @@ std::string method_names(const RunComparison& comparison, const CellComparison& 
 
 std::string scene_and_method(const RunComparison& comparison, const CellComparison& compared) {
     const std::string method = method_names(comparison, compared);
-    const bool one_scene = comparison.first.plan.scenes.size() == 1;
-    return one_scene ? method : fmt::format("{}: {}", scene_of(comparison, compared).name, method);
+    const studies::StudyPlan& plan = comparison.first.plan;
+    return scene_prefix(plan, plan.cells[compared.first].scene) + method;
 }
 
 std::string ratio_plot(const RunComparison& comparison) {

@@ -235,7 +235,7 @@ std::string comparison_json(const RunComparison& comparison) {
                               {"interval", interval_json(ratio.interval)},
                               {"adjusted_p", ratio.adjusted_p}});
         }
-        cells.push_back({{"scene", plan.scenes[cell.scene].name},
+        cells.push_back({{"scene", plan.scenes.name(cell.scene)},
                          {"method", method_names(comparison, compared)},
                          {"size", size_label(plan, cell)},
                          {"verdict", likeness_in_words(comparison, compared).text},

@@ -55,7 +55,7 @@ void write_trials_csv(std::ostream& out, const studies::Store& store) {
         const std::string samples =
             cell.samples_per_patch == 0 ? std::string() : std::to_string(cell.samples_per_patch);
         const std::string prefix =
-            fmt::format("{},{},{},{},{}", csv_field(plan.spec.name), csv_field(scene.name),
+            fmt::format("{},{},{},{},{}", csv_field(plan.spec.name), csv_field(plan.scenes.name(cell.scene)),
                         csv_field(plan.spec.methods[cell.method].name), cell.subdivision.per_part(), samples);
         for (const studies::Quantity pair : studies::distinct_pairs(estimates.faces, studies::Completion::direct)) {
             const std::string faces =
@@ -79,7 +79,9 @@ void write_slopes_csv(std::ostream& out, const studies::StudyResults& results) {
     for (const studies::LadderSlopes& ladder : results.slopes) {
         const Scene& scene = plan.scenes[ladder.ladder.scene];
         const auto write = [&](const studies::Slope& slope) {
-            Json record{{"study", plan.spec.name}, {"scene", scene.name}, {"method", ladder.ladder.label}};
+            Json record{{"study", plan.spec.name},
+                        {"scene", plan.scenes.name(ladder.ladder.scene)},
+                        {"method", ladder.ladder.label}};
             record.update(slope_json(scene, slope));
             csv.add(record);
         };

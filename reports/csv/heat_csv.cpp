@@ -1,5 +1,6 @@
 #include "reports/csv/heat_csv.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "reports/csv/csv_records.hpp"
 #include "reports/json/heat_json.hpp"
 #include "reports/text/numbers.hpp"

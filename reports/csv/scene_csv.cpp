@@ -1,5 +1,6 @@
 #include "reports/csv/scene_csv.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "reports/csv/csv_records.hpp"
 #include "reports/text/numbers.hpp"
 #include "studies/form_factors/form_factors.hpp"

@@ -33,7 +33,7 @@ MatrixPlace place_of_cell(const TakeMatrix& take, const studies::StudyPlan& plan
                           std::uint64_t trial) {
     const studies::Cell& cell = plan.cells[index];
     return {take, fmt::format("cell_{}/", index),
-            fmt::format("{}: {}, trial {}", plan.scenes[cell.scene].name, cell_label(plan, cell), trial)};
+            fmt::format("{}: {}, trial {}", plan.scenes.name(cell.scene), cell_label(plan, cell), trial)};
 }
 
 void put_system(const MatrixPlace& place, const studies::StudyPlan& plan, std::size_t scene,
@@ -111,7 +111,7 @@ std::map<std::string, std::string> matrix_files(const studies::Store& store) {
     };
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
         const auto exact = exact_room_factors(plan.scenes[scene]);
-        if (exact) put_system({add, fmt::format("exact_{}/", scene), plan.scenes[scene].name}, plan, scene, *exact);
+        if (exact) put_system({add, fmt::format("exact_{}/", scene), plan.scenes.name(scene)}, plan, scene, *exact);
     }
     for (std::size_t index = 0; index < plan.cells.size(); ++index) {
         const studies::Cell& cell = plan.cells[index];

@@ -87,7 +87,7 @@ Json scenes_view(const studies::StudyPlan& plan) {
     constexpr std::size_t most_drawings = 30;
     Json scenes = Json::array();
     for (std::size_t i = 0; i < std::min(most_drawings, plan.scenes.size()); ++i)
-        scenes.push_back({{"name", plan.scenes[i].name}, {"drawing", scene_drawing(plan.scenes[i])}});
+        scenes.push_back({{"name", plan.scenes.name(i)}, {"drawing", scene_drawing(plan.scenes[i])}});
     return scenes;
 }
 

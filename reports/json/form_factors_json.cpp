@@ -1,5 +1,6 @@
 #include "reports/json/form_factors_json.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "reports/text/json_values.hpp"
 #include "reports/text/numbers.hpp"
 #include "studies/form_factors/form_factors.hpp"

@@ -1,5 +1,6 @@
 #include "reports/json/heat_json.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "reports/text/json_values.hpp"
 
 namespace ff::reports {

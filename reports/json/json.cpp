@@ -172,7 +172,7 @@ Json cell_json(const studies::StudyPlan& plan, const studies::CellAnalysis& foun
     const studies::Cell& cell = plan.cells[found.cell];
     const studies::Method& method = plan.spec.methods[cell.method];
     const EstimatorInfo& estimator = estimator_info(method);
-    return {{"scene", plan.scenes[cell.scene].name},
+    return {{"scene", plan.scenes.name(cell.scene)},
             {"method", method.name},
             {"sampler", method.sampler.empty() ? Json(nullptr) : Json(method.sampler)},
             {"estimator", method.estimator},
@@ -193,7 +193,7 @@ Json cell_json(const studies::StudyPlan& plan, const studies::CellAnalysis& foun
 Json in_cell(const studies::StudyPlan& plan, std::size_t cell, const Json& record) {
     const studies::Cell& of = plan.cells[cell];
     Json all{{"study", plan.spec.name},
-             {"scene", plan.scenes[of.scene].name},
+             {"scene", plan.scenes.name(of.scene)},
              {"method", plan.spec.methods[of.method].name},
              {"patches_per_face", of.subdivision.per_part()},
              {"samples_per_patch", samples_json(of)},

@@ -137,7 +137,7 @@ Json contests_json(const studies::StudyResults& results, Timed timed) {
         }
         Json exact = Json::array();
         for (const std::size_t cell : contest.exact) exact.push_back(cell_label(plan, plan.cells[cell]));
-        rows.push_back({{"scene", plan.scenes[contest.scene].name},
+        rows.push_back({{"scene", plan.scenes.name(contest.scene)},
                         {"pair_class", ff::name(contest.pair_class)},
                         {"equal", studies::name(contest.equal)},
                         {"budget", contest.budget},
@@ -190,7 +190,7 @@ Json slopes_json(const studies::StudyResults& results) {
     for (const studies::LadderSlopes& ladder : results.slopes) {
         const Scene& scene = plan.scenes[ladder.ladder.scene];
         const bool samples = ladder.ladder.growth == studies::Growth::samples;
-        Json json{{"scene", scene.name},
+        Json json{{"scene", plan.scenes.name(ladder.ladder.scene)},
                   {"method", plan.spec.methods[ladder.ladder.method].name},
                   {"label", ladder.ladder.label},
                   {"growth", samples ? "samples" : "patches"},

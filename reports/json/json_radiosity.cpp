@@ -39,7 +39,7 @@ Json order_json(const studies::StudyPlan& plan, const studies::radiosity::BiasOr
     Json points = Json::array();
     for (const auto& point : order.points)
         points.push_back({{"evaluations", point.evaluations}, {"bias", point.bias}, {"error", point.error}});
-    return {{"scene", plan.scenes[order.scene].name},
+    return {{"scene", plan.scenes.name(order.scene)},
             {"label", order.label},
             {"treatment", studies::radiosity::name(order.treatment)},
             {"reflectance", plan.spec.radiosity->reflectance[order.setting]},
@@ -120,7 +120,7 @@ Json consequences_json(const studies::StudyPlan& plan, const studies::radiosity:
 
 Json exact_json(const studies::StudyPlan& plan, const studies::radiosity::ExactSystem& system) {
     const std::vector<double> exitance(system.exitance.begin(), system.exitance.end());
-    return {{"scene", plan.scenes[system.scene].name},
+    return {{"scene", plan.scenes.name(system.scene)},
             {"patches_per_face", system.m == 0 ? Json(nullptr) : Json(system.m * system.m)},
             {"reflectance", plan.spec.radiosity->reflectance[system.setting]},
             {"exitance", exitance},

@@ -1,4 +1,5 @@
 #include "core/exact/exact.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/patches/unfold.hpp"
 #include "reports/pictures/picture_values.hpp"
 #include "reports/pictures/pictures.hpp"

@@ -163,7 +163,7 @@ Picture picture_of_series(const studies::StudyResults& results, const studies::O
             if (!found || found->size() < studies::rounding_error) continue;
             const bool infinite = found->error.status == studies::VarianceStatus::infinite;
             const auto interval = infinite ? std::nullopt : found->error.interval;
-            values.add({name, plan.scenes[scene.scene].name, drawn(scene.hidden, 4),
+            values.add({name, plan.scenes.name(scene.scene), drawn(scene.hidden, 4),
                         size_label(plan, plan.cells[found->cell]), drawn(found->size()), drawn_low(interval),
                         drawn_high(interval)});
             lines.add(found->size(), interval);

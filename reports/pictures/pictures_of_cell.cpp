@@ -111,8 +111,9 @@ Picture quantile_plot(const CellView& v) {
 std::vector<const Summary*> distinct(const studies::StudyPlan& plan, const CellView& v) {
     std::vector<const Summary*> pairs;
     if (v.found.summaries.empty()) return pairs;  // no trial yet
-    const studies::Method& method = plan.spec.methods[plan.cells[v.found.cell].method];
-    for (const Quantity pair : studies::distinct_pairs(v.scene.faces.size(), method.completion))
+    const studies::Cell& cell = plan.cells[v.found.cell];
+    const studies::Method& method = plan.spec.methods[cell.method];
+    for (const Quantity pair : studies::distinct_pairs(plan.scenes.faces(cell.scene).size(), method.completion))
         pairs.push_back(&v.found.summary(pair));
     return pairs;
 }
@@ -221,7 +222,7 @@ std::vector<PictureGroup> picture_groups(const studies::StudyResults& results) {
         if (!group.pictures.empty()) groups.push_back(std::move(group));
     }
     for (std::size_t scene = 0; !results.occlusion.empty() && scene < results.findings.plan.scenes.size(); ++scene) {
-        PictureGroup group{fmt::format("Error against evaluations: {}", results.findings.plan.scenes[scene].name),
+        PictureGroup group{fmt::format("Error against evaluations: {}", results.findings.plan.scenes.name(scene)),
                            false, pictures_of_scene(results, scene)};
         if (!group.pictures.empty()) groups.push_back(std::move(group));
     }

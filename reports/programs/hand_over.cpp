@@ -1,5 +1,6 @@
 #include "reports/programs/hand_over.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
 #include "core/support/words.hpp"

@@ -108,7 +108,7 @@ Table occlusion_table(const studies::StudyResults& results) {
     for (const studies::OcclusionSeries& series : results.occlusion) {
         for (const studies::HiddenPair& scene : series.scenes) {
             auto& row = table.rows.emplace_back();
-            row.push_back(plan.scenes[scene.scene].name);
+            row.push_back(plan.scenes.name(scene.scene));
             row.push_back(quantity_label(plan.scenes[scene.scene], series.pair));
             row.push_back(fmt::format("{:.4f}", scene.hidden));
             row.push_back(fmt::format("{:.9f}", scene.exact));

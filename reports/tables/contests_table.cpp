@@ -176,7 +176,7 @@ Table best_of_scenes(const studies::StudyResults& results, Equal equal) {
                 next = fmt::format("{}: {}", name_of(plan, *contest, i), standing(*contest, i).substr(3));
         }
         const Scene& scene = plan.scenes[contest->scene];
-        table.rows.push_back({scene.name, std::string(name(contest->pair_class)),
+        table.rows.push_back({plan.scenes.name(contest->scene), std::string(name(contest->pair_class)),
                               std::string(kind_in_words(studies::pair_kind(scene, contest->pair_class))), listed(best),
                               next});
     }

@@ -94,7 +94,7 @@ Table slopes_table(const studies::StudyResults& results) {
                             100 * plan.spec.level, 100 * (1 - plan.spec.level)),
                 columns({"method", "sizes", "pairs", ">RMSE", ">median", "theory", "verdict"})};
     for (const studies::LadderSlopes& ladder : results.slopes) {
-        const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[ladder.ladder.scene].name + " ";
+        const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes.name(ladder.ladder.scene) + " ";
         std::string method = scene + ladder.ladder.label;
         std::string sizes = sizes_text(plan, ladder.ladder);
         for (const studies::ClassSlopes& found : ladder.classes) {

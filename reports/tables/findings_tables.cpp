@@ -155,7 +155,7 @@ Table evenness_table(const studies::StudyResults& results) {
         const studies::Cell& cell = plan.cells[found.cell];
         const auto& [tau, interval] = found.correlation;
         table.rows.push_back(
-            {{fmt::format("{}, {}", plan.scenes[cell.scene].name, plan.spec.methods[cell.method].estimator)},
+            {{fmt::format("{}, {}", plan.scenes.name(cell.scene), plan.spec.methods[cell.method].estimator)},
              {fmt::format("{}", cell.samples_per_patch)},
              {std::string(name(found.pair_class))},
              {std::string(found.measure)},

@@ -1,5 +1,6 @@
 #include "reports/tables/heat_tables.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "reports/text/numbers.hpp"
 
 #include <fmt/format.h>

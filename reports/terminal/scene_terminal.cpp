@@ -1,5 +1,6 @@
 #include "reports/terminal/scene_terminal.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/text/text_table.hpp"
 #include "studies/form_factors/form_factors.hpp"

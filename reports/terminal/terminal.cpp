@@ -153,7 +153,7 @@ std::string rmse(const studies::StudyPlan& plan, const studies::CellAnalysis& fo
 /// The method's name, after that of the scene where there are several.
 std::string scene_and_method(const studies::StudyPlan& plan, const studies::CellAnalysis& found) {
     const studies::Cell& cell = plan.cells[found.cell];
-    const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes[cell.scene].name + " ";
+    const std::string scene = plan.scenes.size() == 1 ? std::string() : plan.scenes.name(cell.scene) + " ";
     return scene + plan.spec.methods[cell.method].name;
 }
 

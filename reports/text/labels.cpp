@@ -1,5 +1,7 @@
 #include "reports/text/labels.hpp"
 
+#include "core/geometry/scene.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -74,7 +76,7 @@ std::string cell_label(const studies::StudyPlan& plan, const studies::Cell& cell
 }
 
 std::string scene_prefix(const studies::StudyPlan& plan, std::size_t scene) {
-    return plan.scenes.size() == 1 ? std::string() : plan.scenes[scene].name + ": ";
+    return plan.scenes.size() == 1 ? std::string() : plan.scenes.name(scene) + ": ";
 }
 
 std::string method_label(const studies::StudyPlan& plan, const studies::Cell& cell) {
@@ -82,7 +84,7 @@ std::string method_label(const studies::StudyPlan& plan, const studies::Cell& ce
 }
 
 std::string of_scene(const studies::StudyPlan& plan, std::size_t scene) {
-    return plan.scenes.size() == 1 ? std::string() : fmt::format(" of {}", plan.scenes[scene].name);
+    return plan.scenes.size() == 1 ? std::string() : fmt::format(" of {}", plan.scenes.name(scene));
 }
 
 std::string listed(std::vector<std::string> names, std::size_t most, std::string_view conjunction) {

@@ -77,7 +77,7 @@ using studies::VarianceReduction;
 /// The size without the scene's or the method's name: two cells of one size are compared.
 std::string scene_and_size(const studies::StudyPlan& plan, const studies::Cell& cell) {
     const std::string size = size_label(plan, cell);
-    return plan.scenes.size() == 1 ? size : fmt::format("{}, {}", plan.scenes[cell.scene].name, size);
+    return plan.scenes.size() == 1 ? size : fmt::format("{}, {}", plan.scenes.name(cell.scene), size);
 }
 
 const studies::Method& method_of(const studies::StudyPlan& plan, const VarianceReduction& reduction) {
@@ -117,7 +117,7 @@ std::string verdicts_in_words(const studies::StudyPlan& plan, const std::vector<
     std::map<std::pair<PairClass, bool>, Others> others;  // by class, and whether they are slower
     for (const studies::LadderSlopes& ladder : ladders) {
         const std::string in_scene =
-            plan.scenes.size() == 1 ? std::string() : " in " + plan.scenes[ladder.ladder.scene].name;
+            plan.scenes.size() == 1 ? std::string() : " in " + plan.scenes.name(ladder.ladder.scene);
         for (const studies::ClassSlopes& found : ladder.classes) {
             if (!found.adjusted_p) continue;
             ++judged;

@@ -1,5 +1,6 @@
 #include "reports/words/scene_reports.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "reports/text/numbers.hpp"
 
 #include <fmt/format.h>

@@ -254,7 +254,7 @@ std::string repeats_in_words(const StudyPlan& plan, const CellAnalysis& found) {
     return fmt::format(
         "method '{}' in scene '{}'{}: {} of {} trials repeat earlier ones bit for bit (real numbers never do "
         "by chance). They are no independent trials, and nothing is tested: let all bits of the seed count.",
-        plan.spec.methods[cell.method].name, plan.scenes[cell.scene].name,
+        plan.spec.methods[cell.method].name, plan.scenes.name(cell.scene),
         cell.samples_per_patch > 0 ? fmt::format(" at {} samples", cell.samples_per_patch) : "", found.repeated_trials,
         found.trials);
 }

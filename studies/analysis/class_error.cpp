@@ -175,7 +175,7 @@ std::vector<Quantity> pairs_of_class(const Scene& scene, std::span<const Quantit
 std::vector<Quantity> known_pairs_of_class(const StudyPlan& plan, const Cell& cell, const KnownFactors& known,
                                            PairClass wanted) {
     const Scene& scene = plan.scenes[cell.scene];
-    const auto pairs = distinct_pairs(scene.faces.size(), plan.spec.methods[cell.method].completion);
+    const auto pairs = distinct_pairs(plan.scenes.faces(cell.scene).size(), plan.spec.methods[cell.method].completion);
     return pairs_of_class(scene, known_pairs(pairs, known), wanted);
 }
 

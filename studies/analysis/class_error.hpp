@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/exact/known_factors.hpp"
-#include "core/geometry/scene.hpp"
+#include "core/geometry/fwd.hpp"
 #include "core/visibility/pair_class.hpp"
 #include "stats/basics/interval.hpp"
 #include "stats/means/mean_test.hpp"

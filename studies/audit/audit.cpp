@@ -2,6 +2,7 @@
 
 #include "stats/basics/distributions.hpp"
 #include "studies/audit/findings.hpp"
+#include "studies/audit/scene_facts.hpp"
 #include "studies/audit/value_format.hpp"
 
 #include <fmt/format.h>
@@ -106,7 +107,7 @@ class Auditor {
         double nearest = 0;
         for (int i = 0; i < static_cast<int>(facts_.faces()); ++i) {
             for (int j = 0; j < static_cast<int>(facts_.faces()); ++j) {
-                if (i == j || pair_class(facts_.scene, i, j) != kind) continue;
+                if (i == j || pair_class(*facts_.scene, i, j) != kind) continue;
                 const Range exact = facts_.factor(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
                 for (const Rounding rounding : {Rounding::rounded, Rounding::truncated}) {
                     const auto range = printed_range(number, {rounding, Layout::fixed_decimals, number.decimals});

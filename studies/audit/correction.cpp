@@ -1,6 +1,7 @@
 #include "studies/audit/findings.hpp"
 
 #include "studies/audit/experiment_model.hpp"
+#include "studies/audit/scene_facts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,7 @@
 #include "studies/audit/experiment.hpp"
 
+#include "studies/audit/scene_facts.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "studies/audit/printed_number.hpp"
-#include "studies/audit/scene_facts.hpp"
 #include "studies/published/published.hpp"
+#include "studies/theory/sr_distribution.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +11,9 @@
 #include <vector>
 
 namespace ff::studies::audit {
+
+class DistributionCache;
+struct SceneFacts;
 
 /// One method at one size: all figures about it, in whichever table, concern the same unknown quantities.
 struct Experiment {

@@ -1,6 +1,7 @@
 #include "studies/audit/experiment_model.hpp"
 
 #include "studies/audit/references.hpp"
+#include "studies/audit/scene_facts.hpp"
 
 #include <fmt/format.h>
 
@@ -55,7 +56,7 @@ class ModelBuilder {
     [[nodiscard]] bool follows(std::size_t from, std::size_t to) const { return reciprocal() && from > to; }
     /// Whether hits of other faces count as hits of this one when they are completed.
     [[nodiscard]] bool equal_areas() const {
-        if (!facts_.has_certain_areas()) return false;
+        if (!facts_.has_certain_areas) return false;
         for (std::size_t i = 1; i < faces_; ++i) {
             if (std::abs(area(i) / area(0) - 1) > 1e-12) return false;
         }
@@ -112,7 +113,7 @@ class ModelBuilder {
             for (std::size_t j = 0; j < faces_; ++j) {
                 if (!facts_.can_see(i, j)) continue;
                 const std::size_t pair = i * faces_ + j;
-                if (follows(i, j) && facts_.has_certain_areas()) {
+                if (follows(i, j) && facts_.has_certain_areas) {
                     const Term& other = model_.pairs.at(j * faces_ + i);
                     model_.pairs[pair] = {other.variable, other.factor * area(j) / area(i)};
                     continue;
@@ -157,7 +158,7 @@ class ModelBuilder {
 
     /// A face whose row consists of its own rays sums to 1 in a closed scene, unless rays are lost.
     void add_closure() {
-        if (!facts_.scene.closed) return;
+        if (!facts_.closed) return;
         model_.system.suspects.push_back({.figures = {},
                                           .assumption = fmt::format("no ray is lost ({})", describe(experiment_)),
                                           .cost = 1.2,

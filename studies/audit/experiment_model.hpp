@@ -2,7 +2,6 @@
 
 #include "studies/audit/constraint_system.hpp"
 #include "studies/audit/experiment.hpp"
-#include "studies/audit/scene_facts.hpp"
 #include "studies/audit/spread.hpp"
 #include "studies/published/published.hpp"
 

@@ -1,5 +1,6 @@
 #include "studies/audit/experiment_model.hpp"
 #include "studies/audit/findings.hpp"
+#include "studies/audit/scene_facts.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -297,7 +298,7 @@ class Explainer {
     /// Label of the face whose row sum is `variable`; the first of faces that look alike.
     [[nodiscard]] std::string row_of(std::size_t variable) const {
         const auto found = std::ranges::find(model_.sums, variable);
-        return model_.facts.scene.faces[static_cast<std::size_t>(found - model_.sums.begin())];
+        return model_.facts.labels[static_cast<std::size_t>(found - model_.sums.begin())];
     }
 
     void add_alternatives(const std::vector<std::size_t>& group, Finding& finding) const {

@@ -1,6 +1,7 @@
 #include "studies/audit/experiment_model.hpp"
 
 #include "core/support/contract.hpp"
+#include "studies/audit/scene_facts.hpp"
 
 #include <fmt/format.h>
 
@@ -135,7 +136,7 @@ std::string both_ways(const ExperimentModel& model, const Constraint& constraint
             return model.tables.figures[link.figure].kind == FigureKind::form_factor &&
                    link.quantity->variable == variable;
         });
-        const auto& faces = model.facts.scene.faces;
+        const auto& faces = model.facts.labels;
         return fmt::format("{} from an area of {:.6g}",
                            print == model.links.end() ? fmt::format("F {}-{}", faces[from], faces[to])
                                                       : quote(model.tables, print->figure),

@@ -1,5 +1,7 @@
 #include "studies/audit/references.hpp"
 
+#include "studies/audit/scene_facts.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -84,7 +86,7 @@ std::vector<Group> collect_groups(const PublishedTables& tables, const SceneFact
             return g.table == figure.table && std::abs(g.exact - exact) < 1e-9 && g.uncertainty == uncertainty;
         });
         if (group == groups.end()) {
-            const PairClass kind = pair_class(facts.scene, static_cast<int>(from), static_cast<int>(to));
+            const PairClass kind = pair_class(*facts.scene, static_cast<int>(from), static_cast<int>(to));
             Group fresh{.table = figure.table,
                         .pair_class = std::string(name(kind)),
                         .exact = exact,

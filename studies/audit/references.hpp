@@ -1,7 +1,6 @@
 #pragma once
 
 #include "studies/audit/experiment.hpp"
-#include "studies/audit/scene_facts.hpp"
 #include "studies/published/published.hpp"
 
 #include <cstddef>

@@ -66,7 +66,7 @@ void find_limits(SceneFacts& facts) {
     request.level = 1 - 1e-6;
     request.level_of = matrices::LevelOf::matrix;
     request.max_samples = 2'000'000;  // seconds
-    for (const matrices::FaceExchange& exchange : matrices::find_matrix(facts.scene, request).exchanges) {
+    for (const matrices::FaceExchange& exchange : matrices::find_matrix(*facts.scene, request).exchanges) {
         for (const auto& [from, to] : {std::pair(exchange.from, exchange.to), std::pair(exchange.to, exchange.from)}) {
             facts.low(from, to) = exchange.low / facts.areas[from];
             facts.high(from, to) = exchange.high / facts.areas[from];
@@ -83,24 +83,28 @@ Range SceneFacts::factor(std::size_t from, std::size_t to) const {
 }
 
 std::optional<std::size_t> SceneFacts::face(std::string_view label) const {
-    const auto found = std::ranges::find(scene.faces, label);
-    if (found == scene.faces.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - scene.faces.begin());
+    const auto found = std::ranges::find(labels, label);
+    if (found == labels.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - labels.begin());
 }
 
 SceneFacts scene_facts(const PublishedTables& tables) {
     SceneFacts facts;
-    facts.scene = make_scene(tables.scene);
+    facts.scene = std::make_shared<const Scene>(make_scene(tables.scene));
+    const Scene& scene = *facts.scene;
+    facts.labels = scene.faces;
+    facts.closed = scene.closed;
+    facts.has_certain_areas = scene.coordinate_rounding == 0;
     const std::size_t faces = facts.faces();
     for (int i = 0; i < static_cast<int>(faces); ++i) {
-        facts.areas.push_back(face_area(facts.scene, i));
-        facts.sees_itself.push_back(sees_itself(facts.scene, i));
+        facts.areas.push_back(face_area(scene, i));
+        facts.sees_itself.push_back(sees_itself(scene, i));
     }
-    facts.area_error = area_errors(facts.scene, facts.areas);
-    if (facts.scene.empty_box) facts.exact = exact_form_factors(facts.scene);
+    facts.area_error = area_errors(scene, facts.areas);
+    if (scene.empty_box) facts.exact = exact_form_factors(scene);
     if (facts.exact) {
         facts.low = facts.high = *facts.exact;
-        facts.pair_congruence = congruent_pairs(facts.scene, *facts.exact);
+        facts.pair_congruence = congruent_pairs(scene, *facts.exact);
         facts.face_congruence = congruent_faces(faces, facts.pair_congruence);
     } else {
         facts.low = facts.high =
@@ -133,11 +137,11 @@ const std::optional<SrDistribution>& DistributionCache::at(const SceneFacts& fac
     const auto m = static_cast<std::uint32_t>(std::lround(std::sqrt(patches_per_face)));
     const auto [factors, is_new] = patch_to_face_.try_emplace(patches_per_face);
     if (is_new && facts.exact && m * m == patches_per_face && patches_per_face <= most_patches)
-        factors->second = exact_patch_to_face(facts.scene, Subdivision{m});
+        factors->second = exact_patch_to_face(*facts.scene, Subdivision{m});
     std::optional<SrDistribution> distribution;
     if (factors->second) {
         const double rays_per_patch = static_cast<double>(rays_per_face) / patches_per_face;
-        distribution = sr_distribution(facts.scene, Subdivision{m}, *factors->second, rays_per_patch, completion);
+        distribution = sr_distribution(*facts.scene, Subdivision{m}, *factors->second, rays_per_patch, completion);
     }
     return distributions_.emplace(key, std::move(distribution)).first->second;
 }

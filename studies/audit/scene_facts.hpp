@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/scene.hpp"
+#include "core/geometry/fwd.hpp"
 #include "core/visibility/pair_class.hpp"
 #include "studies/audit/printed_number.hpp"
 #include "studies/published/published.hpp"
@@ -11,7 +11,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -20,7 +22,10 @@ namespace ff::studies::audit {
 
 /// The known facts about the scene of published tables.
 struct SceneFacts {
-    Scene scene;
+    std::shared_ptr<const Scene> scene;
+    std::vector<std::string> labels;  ///< of the faces
+    bool closed = false;
+    bool has_certain_areas = true;   ///< coordinates are not rounded
     std::vector<double> areas;       ///< area of each face
     std::vector<double> area_error;  ///< largest relative error of each area, where coordinates of a file are rounded
     std::vector<bool> sees_itself;   ///< for each face, whether it sees itself
@@ -34,8 +39,7 @@ struct SceneFacts {
 
     [[nodiscard]] Range factor(std::size_t from, std::size_t to) const;
     [[nodiscard]] bool can_see(std::size_t from, std::size_t to) const { return from != to || sees_itself[from]; }
-    [[nodiscard]] bool has_certain_areas() const { return scene.coordinate_rounding == 0; }
-    [[nodiscard]] std::size_t faces() const { return scene.faces.size(); }
+    [[nodiscard]] std::size_t faces() const { return labels.size(); }
     [[nodiscard]] std::optional<std::size_t> face(std::string_view label) const;
 };
 

@@ -1,5 +1,7 @@
 #include "studies/audit/spread.hpp"
 
+#include "studies/audit/scene_facts.hpp"
+
 #include <Eigen/Core>
 
 #include <boost/math/special_functions/gamma.hpp>

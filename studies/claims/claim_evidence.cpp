@@ -66,7 +66,7 @@ std::vector<double> ClaimEvidence::pair_errors(std::size_t cell, std::size_t tri
 
 std::vector<Quantity> ClaimEvidence::pairs(std::string_view pair_class) const {
     const Scene& scene = findings_.plan.scenes[scene_];
-    auto list = distinct_pairs(scene.faces.size(), Completion::reciprocal);
+    auto list = distinct_pairs(findings_.plan.scenes.faces(scene_).size(), Completion::reciprocal);
     std::erase_if(list, [&](Quantity pair) {
         return !pair_class.empty() && pair_class != "all" &&
                name(ff::pair_class(scene, pair.from - 1, pair.to - 1)) != pair_class;
@@ -76,7 +76,7 @@ std::vector<Quantity> ClaimEvidence::pairs(std::string_view pair_class) const {
 
 std::vector<double> ClaimEvidence::printed_errors(const PublishedClaim& claim, std::size_t method,
                                                   const std::vector<Quantity>& pairs) const {
-    const Scene& scene = findings_.plan.scenes[scene_];
+    const std::vector<std::string>& faces = findings_.plan.scenes.faces(scene_);
     std::vector<double> errors;
     if (method >= claim.methods.size()) return errors;
     for (const Quantity pair : pairs) {
@@ -84,8 +84,8 @@ std::vector<double> ClaimEvidence::printed_errors(const PublishedClaim& claim, s
             if (figure.kind != FigureKind::relative_error || figure.method != claim.methods[method]) continue;
             if (!names(claim.patches_per_face, figure.patches_per_face)) continue;
             if (figure.samples_per_patch && !names(claim.samples_per_patch, *figure.samples_per_patch)) continue;
-            if (figure.from != scene.faces[static_cast<std::size_t>(pair.from - 1)]) continue;
-            if (figure.to != scene.faces[static_cast<std::size_t>(pair.to - 1)]) continue;
+            if (figure.from != faces[static_cast<std::size_t>(pair.from - 1)]) continue;
+            if (figure.to != faces[static_cast<std::size_t>(pair.to - 1)]) continue;
             errors.push_back(std::strtod(figure.printed.c_str(), nullptr));
             break;
         }

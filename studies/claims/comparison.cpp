@@ -1,5 +1,6 @@
 #include "studies/claims/comparison.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "core/support/contract.hpp"
 #include "core/support/error.hpp"
 #include "stats/basics/distributions.hpp"

@@ -40,7 +40,7 @@ std::vector<ErrorLaw> fit_error_laws(const Analysis& findings, const PublishedTa
     const StudyPlan& plan = findings.plan;
     std::vector<ErrorLaw> laws;
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
-        if (!plan.scenes[scene].closed) continue;
+        if (!plan.scenes.is_closed(scene)) continue;
         for (std::size_t method = 0; method < plan.spec.methods.size(); ++method) {
             if (estimator_info(plan.spec.methods[method]).exact) continue;
             ErrorsByM errors;
@@ -53,7 +53,7 @@ std::vector<ErrorLaw> fit_error_laws(const Analysis& findings, const PublishedTa
                 }
             }
             const std::string& name = plan.spec.methods[method].name;
-            const std::string label = plan.scenes.size() == 1 ? name : plan.scenes[scene].name + ": " + name;
+            const std::string label = plan.scenes.size() == 1 ? name : plan.scenes.name(scene) + ": " + name;
             if (auto law = fit(label, false, errors)) laws.push_back(std::move(*law));
         }
     }

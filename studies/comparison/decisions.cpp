@@ -1,6 +1,7 @@
 #include "studies/comparison/decisions.hpp"
 
 #include "core/exact/known_factors.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/visibility/occlusion.hpp"
 #include "studies/analysis/class_error.hpp"
 #include "studies/trials/estimates.hpp"

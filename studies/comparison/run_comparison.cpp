@@ -1,5 +1,6 @@
 #include "studies/comparison/run_comparison.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
 #include "stats/error_rates/multiplicity.hpp"
@@ -241,7 +242,7 @@ void expect_method(const StudyPlan& plan, const std::string& method) {
 
 std::string scenes_of(const StudyPlan& plan) {
     std::vector<std::string> names;
-    for (const Scene& scene : plan.scenes) names.push_back(scene.name);
+    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) names.push_back(plan.scenes.name(scene));
     return fmt::format("{}", fmt::join(names, ", "));
 }
 

@@ -36,8 +36,8 @@ std::optional<VarianceCheck> check_cell(const Analysis& findings, std::size_t ce
     VarianceCheck check;
     check.cell = cell_index;
     std::vector<double> p_values;
-    auto quantities = distinct_pairs(scene.faces.size(), method.completion);
-    for (int face = 1; face <= static_cast<int>(scene.faces.size()); ++face)
+    auto quantities = distinct_pairs(findings.plan.scenes.faces(cell.scene).size(), method.completion);
+    for (int face = 1; face <= static_cast<int>(findings.plan.scenes.faces(cell.scene).size()); ++face)
         quantities.push_back({QuantityKind::row_sum, face, 0});
     for (const Quantity quantity : quantities) {
         const bool pair = quantity.kind == QuantityKind::form_factor;

@@ -1,5 +1,6 @@
 #include "studies/form_factors/amendments.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "core/radiosity/repair.hpp"
 #include "core/support/error.hpp"
 #include "studies/readers/printable.hpp"

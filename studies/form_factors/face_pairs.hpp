@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/geometry/scene.hpp"
+#include "core/geometry/fwd.hpp"
+#include "studies/form_factors/form_factors.hpp"
 #include "studies/form_factors/request.hpp"
 #include "studies/form_factors/surface_pairs.hpp"
 
@@ -11,24 +12,6 @@
 #include <vector>
 
 namespace ff::studies::form_factors {
-
-/// Matrices of more faces are written without geometric zeros, and nothing takes memory quadratic in their number.
-inline constexpr std::size_t most_dense_faces = 4096;
-
-/// Number of unordered pairs of this many faces, including each face with itself.
-std::size_t pairs_of(std::size_t faces);
-
-/// The positions in a list of the pairs of each face, ordered by the other face.
-/// @param pairs  with members `from` and `to`, in the order (0,0), (0,1), .., (1,1), ..
-template <class Pairs>
-std::vector<std::vector<std::uint32_t>> by_face(const Pairs& pairs, std::size_t faces) {
-    std::vector<std::vector<std::uint32_t>> result(faces);
-    for (std::size_t p = 0; p < pairs.size(); ++p) {
-        result[pairs[p].from].push_back(static_cast<std::uint32_t>(p));
-        if (pairs[p].from != pairs[p].to) result[pairs[p].to].push_back(static_cast<std::uint32_t>(p));
-    }
-    return result;
-}
 
 /// Two faces (or one with itself) that are sampled: the known part of their exchange area, and the part that is left.
 struct FacePair {
@@ -44,14 +27,6 @@ struct FacePair {
     bool everything = false;          ///< all pairs of surfaces, too many to list
     bool by_cells = false;            ///< every sampled pair can be done in cells
     ExchangeReason reason = ExchangeReason::turned_away;  ///< why it is sampled
-};
-
-/// The total of what a face exchanges with others that is not kept pair by pair.
-struct DroppedExchange {
-    std::uint64_t pairs = 0;
-    double value = 0;
-    double low = 0;
-    double high = 0;
 };
 
 /// Adds a pair to both of its faces, which differ.

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/geometry/scene.hpp"
-#include "studies/form_factors/face_pairs.hpp"
+#include "core/exact/exchange_method.hpp"
+#include "core/geometry/fwd.hpp"
 #include "studies/form_factors/request.hpp"
 
 #include <Eigen/Core>
@@ -16,6 +16,24 @@
 #include <vector>
 
 namespace ff::studies::form_factors {
+
+/// Matrices of more faces are written without geometric zeros, and nothing takes memory quadratic in their number.
+inline constexpr std::size_t most_dense_faces = 4096;
+
+/// Number of unordered pairs of this many faces, including each face with itself.
+std::size_t pairs_of(std::size_t faces);
+
+/// The positions in a list of the pairs of each face, ordered by the other face.
+/// @param pairs  with members `from` and `to`, in the order (0,0), (0,1), .., (1,1), ..
+template <class Pairs>
+std::vector<std::vector<std::uint32_t>> by_face(const Pairs& pairs, std::size_t faces) {
+    std::vector<std::vector<std::uint32_t>> result(faces);
+    for (std::size_t p = 0; p < pairs.size(); ++p) {
+        result[pairs[p].from].push_back(static_cast<std::uint32_t>(p));
+        if (pairs[p].from != pairs[p].to) result[pairs[p].to].push_back(static_cast<std::uint32_t>(p));
+    }
+    return result;
+}
 
 /// The exchange area of two faces, with an interval.
 struct FaceExchange {
@@ -34,6 +52,14 @@ struct FaceExchange {
     bool contradicted = false;  ///< an independent randomisation disagrees; the interval contains both
 
     [[nodiscard]] bool is_sampled() const { return !method || *method >= ExchangeMethod::cells; }
+};
+
+/// The total of what a face exchanges with others that is not kept pair by pair.
+struct DroppedExchange {
+    std::uint64_t pairs = 0;
+    double value = 0;
+    double low = 0;
+    double high = 0;
 };
 
 struct RowSum {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/exact/pair_exchange.hpp"
+#include "core/exact/exchange_method.hpp"
 
 #include <cstddef>
 #include <cstdint>

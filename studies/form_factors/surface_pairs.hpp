@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/exact/pair_exchange.hpp"
-#include "core/geometry/scene.hpp"
+#include "core/geometry/fwd.hpp"
 #include "core/visibility/occluders.hpp"
 #include "studies/form_factors/request.hpp"
 

@@ -1,3 +1,4 @@
+#include "core/radiosity/patch_factors.hpp"
 #include "stats/dependence/repeats.hpp"
 #include "stats/means/mean_interval.hpp"
 #include "stats/means/mean_test.hpp"
@@ -47,8 +48,8 @@ stats::KnownLimits limits_of(const Gate& gate, const StudyPlan& plan, const Effe
     if (gate.kind != GateKind::reciprocity) return known_limits(plan, estimates, effect.quantity);
     const stats::Unmet there = known_limits(plan, estimates, {kind, from, to}).unmet;
     const stats::Unmet back = known_limits(plan, estimates, {kind, to, from}).unmet;
-    const Scene& scene = plan.scenes[plan.cells[estimates.cell].scene];
-    const double ratio = face_area(scene, to - 1) / face_area(scene, from - 1);
+    const Eigen::VectorXd areas = face_areas(plan.scenes[plan.cells[estimates.cell].scene]);
+    const double ratio = areas[to - 1] / areas[from - 1];
     return {.unmet = {.largest = there.largest + ratio * back.largest,
                       .evaluations = std::max(there.evaluations, back.evaluations)}};
 }

@@ -1,6 +1,7 @@
 #include "studies/gates/gate_experiment.hpp"
 
 #include "core/exact/known_factors.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/contract.hpp"
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"

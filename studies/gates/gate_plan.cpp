@@ -179,7 +179,7 @@ std::optional<std::uint64_t> needed(const Gate& gate, const Plan& plan, std::siz
 void expect_to_fit(const Spec& spec, const Plan& plan) {
     double values = 0;
     for (std::size_t cell = 0; cell < plan.trials.size(); ++cell) {
-        const auto faces = static_cast<double>(plan.study.scenes[plan.study.cells[cell].scene].faces.size());
+        const auto faces = static_cast<double>(plan.study.scenes.faces(plan.study.cells[cell].scene).size());
         values += static_cast<double>(plan.trials[cell] * spec.looks) * faces * faces;
     }
     if (values <= most_values) return;
@@ -192,7 +192,7 @@ void expect_to_fit(const Spec& spec, const Plan& plan) {
 
 Trials::Trials(const StudyPlan& plan) : plan_(&plan), cells_(plan.cells.size()) {
     for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-        const std::size_t faces = plan.scenes[plan.cells[cell].scene].faces.size();
+        const std::size_t faces = plan.scenes.faces(plan.cells[cell].scene).size();
         cells_[cell].values.resize(faces * faces);
     }
 }
@@ -206,7 +206,7 @@ bool Trials::extend(std::span<const std::uint64_t> trials, const GateRunOptions&
         if (first >= trials[cell]) continue;
         add_units(*plan_, cell, first, trials[cell], units);
         for (std::uint64_t trial = first; trial < trials[cell]; ++trial) direct.trial_numbers.push_back(trial);
-        const std::size_t faces = plan_->scenes[plan_->cells[cell].scene].faces.size();
+        const std::size_t faces = plan_->scenes.faces(plan_->cells[cell].scene).size();
         for (std::size_t pair = 0; pair < direct.values.size(); ++pair) {
             if (pair / faces != pair % faces) direct.values[pair].resize(trials[cell]);
         }
@@ -226,7 +226,7 @@ bool Trials::extend(std::span<const std::uint64_t> trials, const GateRunOptions&
 
 void Trials::keep(const UnitRecord& record, std::size_t cell) {
     DirectEstimates& direct = cells_[cell];
-    const auto faces = static_cast<int>(plan_->scenes[plan_->cells[cell].scene].faces.size());
+    const auto faces = static_cast<int>(plan_->scenes.faces(plan_->cells[cell].scene).size());
     for (const Observation& seen : record.observations) {
         const double value = std::visit([](auto number) { return static_cast<double>(number); }, seen.value);
         if (seen.observable == observable::lost) direct.lost_rays += static_cast<std::uint64_t>(value);

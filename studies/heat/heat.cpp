@@ -1,5 +1,6 @@
 #include "studies/heat/heat.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "core/radiosity/flow_bounds.hpp"
 #include "core/support/error.hpp"
 #include "stats/basics/distributions.hpp"

@@ -3,6 +3,7 @@
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
 #include "studies/readers/toml_reader.hpp"
+#include "studies/scene_files/scene_file.hpp"
 
 #include <fmt/format.h>
 

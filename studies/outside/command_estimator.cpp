@@ -1,4 +1,5 @@
 #include "core/estimators/added.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "core/support/words.hpp"
 #include "samplers/outside/outside_points.hpp"

@@ -2,7 +2,9 @@
 
 #include "core/estimators/added.hpp"
 #include "core/geometry/placement.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/radiosity/patch_factors.hpp"
+#include "core/support/contract.hpp"
 #include "core/support/error.hpp"
 #include "samplers/outside/added.hpp"
 #include "samplers/sampler.hpp"
@@ -206,12 +208,44 @@ double expected_seconds_per_trial(const StudyPlan& plan, const Cell& cell) {
     return 1e-9 * static_cast<double>(evaluations_per_trial(plan, cell)) * (each + sampling);
 }
 
+Scenes::Scenes(std::vector<Scene> scenes) : scenes_(std::make_shared<const std::vector<Scene>>(std::move(scenes))) {}
+
+std::size_t Scenes::size() const {
+    return scenes_ ? scenes_->size() : 0;
+}
+
+const Scene& Scenes::operator[](std::size_t index) const {
+    FF_EXPECT(index < size());
+    return (*scenes_)[index];
+}
+
+const Scene* Scenes::begin() const {
+    return scenes_ ? scenes_->data() : nullptr;
+}
+
+const Scene* Scenes::end() const {
+    return begin() + size();
+}
+
+const std::string& Scenes::name(std::size_t index) const {
+    return (*this)[index].name;
+}
+
+const std::vector<std::string>& Scenes::faces(std::size_t index) const {
+    return (*this)[index].faces;
+}
+
+bool Scenes::is_closed(std::size_t index) const {
+    return (*this)[index].closed;
+}
+
 StudyPlan plan_study(StudySpec spec) {
     StudyPlan plan;
     plan.spec = std::move(spec);
     Warnings warnings(plan);
-    for (const SceneSource& scene : plan.spec.scenes) plan.scenes.push_back(make_scene(scene));
-    for (const Scene& scene : plan.scenes) {
+    std::vector<Scene> scenes;
+    for (const SceneSource& scene : plan.spec.scenes) scenes.push_back(make_scene(scene));
+    for (const Scene& scene : scenes) {
         expect_no_masks(scene);
         if (!scene.empty_box) {
             for (std::string& doubt : doubts_about(scene)) warnings.add(std::move(doubt));
@@ -219,10 +253,10 @@ StudyPlan plan_study(StudySpec spec) {
         if (plan.spec.radiosity) expect_fitting(*plan.spec.radiosity, scene);
     }
     // Only the warnings above say where a scene lies. What is built in lies at the origin.
-    for (std::size_t i = 0; i < plan.scenes.size(); ++i) {
-        Scene& scene = plan.scenes[i];
-        if (plan.spec.scenes[i].text) scene = placed(scene, {placement_of(scene).origin, 1});
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        if (plan.spec.scenes[i].text) scenes[i] = placed(scenes[i], {placement_of(scenes[i]).origin, 1});
     }
+    plan.scenes = Scenes(std::move(scenes));
     std::vector<std::vector<std::string>> left_out(plan.spec.methods.size());  // scenes, by method
     for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
         for (std::size_t m = 0; m < plan.spec.methods.size(); ++m) {

@@ -1,11 +1,12 @@
 #pragma once
 
-#include "core/geometry/scene.hpp"
+#include "core/geometry/subdivision.hpp"
 #include "core/points/stream.hpp"
 #include "studies/spec/spec.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,10 +33,29 @@ struct WorkUnit {
     std::uint64_t trials = 0;
 };
 
+/// The scenes of a study, in its order. Copies share them.
+class Scenes {
+  public:
+    Scenes() = default;
+    explicit Scenes(std::vector<Scene> scenes);
+
+    [[nodiscard]] std::size_t size() const;
+    [[nodiscard]] const Scene& operator[](std::size_t index) const;
+    [[nodiscard]] const Scene& front() const { return (*this)[0]; }
+    [[nodiscard]] const Scene* begin() const;
+    [[nodiscard]] const Scene* end() const;
+    [[nodiscard]] const std::string& name(std::size_t index) const;
+    [[nodiscard]] const std::vector<std::string>& faces(std::size_t index) const;  ///< their labels
+    [[nodiscard]] bool is_closed(std::size_t index) const;
+
+  private:
+    std::shared_ptr<const std::vector<Scene>> scenes_;
+};
+
 /// A validated study with every seed and work unit fixed; identical on every machine.
 struct StudyPlan {
     StudySpec spec;
-    std::vector<Scene> scenes;
+    Scenes scenes;
     std::vector<Cell> cells;
     std::vector<WorkUnit> units;
     std::vector<std::string> warnings;  ///< notes on sizes at which a sampler is not at its best

@@ -1,5 +1,6 @@
 #include "studies/published/published.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
 #include "core/visibility/facing.hpp"

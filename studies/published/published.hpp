@@ -1,6 +1,6 @@
 #pragma once
 
-#include "studies/scene_files/scene_file.hpp"
+#include "studies/scene_files/scene_source.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,6 @@
 #include "studies/published/scene_of_tables.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "studies/published/published.hpp"
 #include "studies/readers/text_file.hpp"

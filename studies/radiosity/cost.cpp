@@ -67,7 +67,7 @@ std::uint64_t memory_needed(const StudyPlan& plan) {
     std::uint64_t largest = 0;
     for (std::size_t index = 0; index < plan.cells.size(); ++index) {
         const Cell& cell = plan.cells[index];
-        const std::uint64_t faces = plan.scenes[cell.scene].faces.size();
+        const std::uint64_t faces = plan.scenes.faces(cell.scene).size();
         const std::uint64_t exitances = all_treatments.size() * settings * (faces + 4) * sizeof(double);
         std::uint64_t bytes = cell.trials * (2 * faces * faces * sizeof(double) + bytes_of_a_small_matrix + exitances);
         if (has_patch_systems(plan, index)) {

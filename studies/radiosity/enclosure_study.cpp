@@ -1,6 +1,7 @@
 #include "studies/radiosity/enclosure_study.hpp"
 
 #include "core/configurations/built_in_scene.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
 #include "core/support/words.hpp"

@@ -1,6 +1,7 @@
 #include "studies/radiosity/systems.hpp"
 
 #include "core/exact/known_factors.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/patches/face_averages.hpp"
 #include "core/patches/patch_order.hpp"
 #include "core/radiosity/patch_factors.hpp"

@@ -1,6 +1,7 @@
 #include "studies/results/resources.hpp"
 
 #include "core/formulas/rectangle_formulas.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/visibility/occlusion.hpp"
 #include "core/visibility/touching.hpp"
 #include "studies/analysis/slopes.hpp"
@@ -39,7 +40,7 @@ constexpr double seconds_of_a_pair_of_surfaces = 2e-8;  // whether faces are par
 constexpr double seconds_of_a_cell = 8e-3;              // its tables and pictures in all reports
 
 std::uint64_t observations_per_trial(const StudyPlan& plan, const Cell& cell) {
-    const std::uint64_t faces = plan.scenes[cell.scene].faces.size();
+    const std::uint64_t faces = plan.scenes.faces(cell.scene).size();
     return faces * faces;
 }
 
@@ -47,7 +48,7 @@ std::uint64_t observations_per_trial(const StudyPlan& plan, const Cell& cell) {
 std::uint64_t patch_sums(const StudyPlan& plan, const Cell& cell) {
     if (estimator_info(plan.spec.methods[cell.method]).patch_factors == PatchFactors::none) return 0;
     const std::uint64_t patches = cell.subdivision.patches(plan.scenes[cell.scene]);
-    return 2 * sizeof(std::uint64_t) * patches * plan.scenes[cell.scene].faces.size();
+    return 2 * sizeof(std::uint64_t) * patches * plan.scenes.faces(cell.scene).size();
 }
 
 std::uint64_t largest_record(const StudyPlan& plan) {
@@ -66,7 +67,7 @@ std::uint64_t memory_of_analysis(const StudyPlan& plan) {
     std::uint64_t largest = 0;
     std::uint64_t all = 0;
     for (const Cell& cell : plan.cells) {
-        const std::uint64_t faces = plan.scenes[cell.scene].faces.size();
+        const std::uint64_t faces = plan.scenes.faces(cell.scene).size();
         const std::uint64_t estimates = cell.trials * sizeof(double) * (faces * faces + 2 * faces + 8);
         largest = std::max(largest, estimates + cell.trials * bytes_of_a_line);
         all += estimates;
@@ -99,7 +100,7 @@ double seconds_of_coverage(const StudyPlan& plan) {
     double groups = 0;
     for (const Cell& cell : plan.cells) {
         if (cell.deterministic) continue;
-        const double pairs = 2 * static_cast<double>(plan.scenes[cell.scene].faces.size());
+        const double pairs = 2 * static_cast<double>(plan.scenes.faces(cell.scene).size());
         groups += pairs * static_cast<double>(cell.trials) * static_cast<double>(plan.spec.coverage.size());
     }
     return groups * seconds_of_a_group;

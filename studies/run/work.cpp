@@ -135,7 +135,7 @@ Worker::Worker(const StudyPlan& plan, const std::atomic<bool>* stop) : plan_(pla
         tools->estimator = estimator;
         tools->patch_factors = entry.info.patch_factors;
         tools->counts_hits = entry.info.observes == Observes::hits && has_one_surface_a_face(*tools->scene);
-        for (int face = 0; face < static_cast<int>(tools->scene->faces.size()); ++face)
+        for (int face = 0; face < static_cast<int>(plan.scenes.faces(cell.scene).size()); ++face)
             tools->with_itself.push_back(sees_itself(*tools->scene, face));
         tools_.push_back(std::move(tools));
     }

@@ -10,6 +10,7 @@
 #include "studies/readers/printable.hpp"
 #include "studies/scene_files/coordinate_rounding.hpp"
 #include "studies/scene_files/orientation.hpp"
+#include "studies/scene_files/scene_with_materials.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,10 @@
 #pragma once
 
+#include "core/geometry/fwd.hpp"
 #include "core/geometry/scene.hpp"
 #include "studies/scene_files/scene_file.hpp"
+
+#include <Eigen/Core>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "core/geometry/scene.hpp"
+#include "core/geometry/fwd.hpp"
 #include "studies/readers/names.hpp"
 #include "studies/scene_files/scene_file.hpp"
+#include "studies/scene_files/scene_with_materials.hpp"
 
 #include <filesystem>
 #include <string>

@@ -7,6 +7,7 @@
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
 #include "core/support/words.hpp"
+#include "studies/scene_files/scene_with_materials.hpp"
 
 #include <fmt/format.h>
 

@@ -7,6 +7,7 @@
 #include "studies/readers/text_file.hpp"
 #include "studies/scene_files/energyplus/input_file.hpp"
 #include "studies/scene_files/formats.hpp"
+#include "studies/scene_files/scene_with_materials.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 #include "studies/readers/toml_reader.hpp"
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
+#include "studies/scene_files/scene_with_materials.hpp"
 
 #include <fmt/format.h>
 

@@ -2,6 +2,7 @@
 #include "core/support/words.hpp"
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
+#include "studies/scene_files/scene_with_materials.hpp"
 #include "studies/scene_files/vs3_surface.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 #include "studies/spec/sections.hpp"
 
 #include "core/exact/known_factors.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "core/support/words.hpp"
 #include "studies/readers/toml_reader.hpp"

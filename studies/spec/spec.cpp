@@ -1,5 +1,6 @@
 #include "studies/spec/spec.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "stats/basics/interval.hpp"
 #include "studies/published/published.hpp"

@@ -3,7 +3,7 @@
 #include "core/estimators/estimator.hpp"
 #include "core/points/stream.hpp"
 #include "studies/readers/names.hpp"
-#include "studies/scene_files/scene_file.hpp"
+#include "studies/scene_files/scene_source.hpp"
 #include "studies/spec/sections.hpp"
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 #include "studies/spec/study_difference.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "core/support/words.hpp"
 
 #include <fmt/format.h>

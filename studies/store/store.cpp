@@ -72,7 +72,7 @@ void write_cells(const Database& database, const StudyPlan& plan) {
         const Cell& cell = plan.cells[i];
         const Method& method = plan.spec.methods[cell.method];
         insert
-            .with(i, plan.scenes[cell.scene].name, method.name, method.sampler, method.estimator,
+            .with(i, plan.scenes.name(cell.scene), method.name, method.sampler, method.estimator,
                   cell.subdivision.per_part(), cell.samples_per_patch, cell.trials)
             .run();
     }

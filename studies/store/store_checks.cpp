@@ -18,9 +18,8 @@ namespace {
 /// Bytes of one of a unit's two sums over patches and faces.
 std::int64_t bytes_of_sums(const StudyPlan& plan, const WorkUnit& unit) {
     const Cell& cell = plan.cells[unit.cell];
-    const Scene& scene = plan.scenes[cell.scene];
-    return static_cast<std::int64_t>(std::uint64_t{cell.subdivision.patches(scene)} * scene.faces.size() *
-                                     sizeof(std::uint64_t));
+    return static_cast<std::int64_t>(std::uint64_t{cell.subdivision.patches(plan.scenes[cell.scene])} *
+                                     plan.scenes.faces(cell.scene).size() * sizeof(std::uint64_t));
 }
 
 std::uint64_t digest_of(const WorkUnit& unit, std::span<const std::uint64_t> hits,
@@ -126,7 +125,7 @@ class Rows {
         const std::string observable = row.text(1);
         const std::int64_t from = row.integer(2);
         const std::int64_t to = row.integer(3);
-        const auto faces = static_cast<std::int64_t>(plan_.scenes[plan_.cells[cell].scene].faces.size());
+        const auto faces = static_cast<std::int64_t>(plan_.scenes.faces(plan_.cells[cell].scene).size());
         const bool known = std::ranges::find(observable::all, observable) != observable::all.end();
         if (!known || from < 1 || from > faces || to < 0 || to > faces) refuse("no such name or face");
         const Digest digest = digest_of(observable, from, to, trial);

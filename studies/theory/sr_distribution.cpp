@@ -1,6 +1,7 @@
 #include "studies/theory/sr_distribution.hpp"
 
 #include "core/exact/exact.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/patches/patch_order.hpp"
 #include "core/support/contract.hpp"
 

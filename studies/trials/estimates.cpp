@@ -1,6 +1,7 @@
 #include "studies/trials/estimates.hpp"
 
 #include "core/patches/face_averages.hpp"
+#include "core/radiosity/patch_factors.hpp"
 #include "core/support/contract.hpp"
 #include "core/support/error.hpp"
 #include "core/visibility/facing.hpp"
@@ -115,7 +116,7 @@ CellEstimates load_estimates(const Store& store, std::size_t cell_index, Complet
     const Scene& scene = plan.scenes[cell.scene];
     const bool shoots = estimator_info(plan.spec.methods[cell.method]).observes == Observes::hits;
     const bool counted = shoots && has_one_surface_a_face(scene);
-    const int faces = static_cast<int>(scene.faces.size());
+    const int faces = static_cast<int>(plan.scenes.faces(cell.scene).size());
     DirectEstimates direct;
     direct.trial_numbers = store.saved_trial_numbers(cell_index);
     for (int i = 1; i <= faces; ++i) {
@@ -136,7 +137,7 @@ CellEstimates complete(const StudyPlan& plan, std::size_t cell_index, Completion
     const Scene& scene = plan.scenes[cell.scene];
     CellEstimates estimates;
     estimates.cell = cell_index;
-    estimates.faces = scene.faces.size();
+    estimates.faces = plan.scenes.faces(cell.scene).size();
     estimates.trial_numbers = std::move(direct.trial_numbers);
     estimates.factors = std::move(direct.values);
     estimates.evaluations_per_face = cell.samples_per_patch;
@@ -145,15 +146,17 @@ CellEstimates complete(const StudyPlan& plan, std::size_t cell_index, Completion
     if (points == PointsServe::pairs) estimates.evaluations_per_face *= cell.subdivision.per_part();
     const bool shoots = estimator_info(method).observes == Observes::hits;
     const bool counted = shoots && has_one_surface_a_face(scene);
-    if (shoots && scene.closed) estimates.lost_rays = direct.lost_rays;  // out of an open scene rays may go
+    if (shoots && plan.scenes.is_closed(cell.scene))
+        estimates.lost_rays = direct.lost_rays;  // out of an open scene rays may go
     if (counted) estimates.rays = rays_of_pairs(estimates, scene, completion);
     const std::size_t faces = estimates.faces;
+    const Eigen::VectorXd areas = face_areas(scene);
     for (std::size_t i = 0; completion == Completion::reciprocal && i < faces; ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             const std::size_t row = i * faces;
             auto& target = estimates.factors[row + j];
             target = estimates.factors[j * faces + i];
-            double ratio = face_area(scene, static_cast<int>(j)) / face_area(scene, static_cast<int>(i));
+            double ratio = areas[static_cast<Eigen::Index>(j)] / areas[static_cast<Eigen::Index>(i)];
             // Hits of j, as if they were of the rays of i.
             if (counted) ratio *= estimates.rays[row + i] / estimates.rays[row + j];
             for (double& value : target) value *= ratio;
@@ -161,7 +164,7 @@ CellEstimates complete(const StudyPlan& plan, std::size_t cell_index, Completion
     }
     add_row_sums(estimates);
     if (counted) divide_by_rays(estimates);
-    if (scene.closed) add_sum_of_relative_errors(estimates);
+    if (plan.scenes.is_closed(cell.scene)) add_sum_of_relative_errors(estimates);
     return estimates;
 }
 

@@ -1,5 +1,6 @@
 #include "tests/contract/estimator_checks.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "samplers/sampler.hpp"
 #include "stats/basics/moments.hpp"
 #include "tests/support/statistical_assertions.hpp"

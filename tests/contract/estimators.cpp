@@ -1,5 +1,6 @@
 #include "core/estimators/entry.hpp"
 #include "core/estimators/pairs/solid_angle.hpp"
+#include "core/geometry/scene.hpp"
 #include "tests/contract/estimator_checks.hpp"
 
 #include <algorithm>

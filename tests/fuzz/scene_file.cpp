@@ -2,6 +2,7 @@
 // format it is; for meshes the content does.
 
 #include "studies/scene_files/scene_file.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "studies/scene_files/meshes/formats.hpp"
 #include "tests/fuzz/one_input.hpp"

@@ -8,6 +8,7 @@
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/exact/exact.hpp"
+#include "core/geometry/scene.hpp"
 #include "stats/basics/moments.hpp"
 #include "stats/error_rates/power.hpp"
 #include "stats/means/mean_test.hpp"

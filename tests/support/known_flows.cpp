@@ -1,6 +1,7 @@
 #include "tests/support/known_flows.hpp"
 
 #include "core/configurations/closed_forms.hpp"
+#include "core/geometry/scene.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
 #include <array>

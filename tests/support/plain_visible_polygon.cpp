@@ -1,6 +1,7 @@
 #include "tests/support/plain_visible_polygon.hpp"
 
 #include "core/geometry/convex_polygon.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/contract.hpp"
 
 #include <Eigen/Geometry>

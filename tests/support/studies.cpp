@@ -1,5 +1,6 @@
 #include "tests/support/studies.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "core/visibility/facing.hpp"
 #include "studies/run/run.hpp"
 #include "studies/scene_files/scene_file.hpp"

@@ -3,7 +3,7 @@
 #include "app/command_line/command_definition.hpp"
 #include "app/process/exit_code.hpp"
 
-#include "core/geometry/scene.hpp"
+#include "core/geometry/fwd.hpp"
 #include "studies/form_factors/request.hpp"
 #include "studies/form_factors/store/store.hpp"
 #include "studies/scene_files/scene_file.hpp"

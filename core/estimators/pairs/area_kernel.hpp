@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/estimators/entry.hpp"
+#include "core/estimators/graded_map.hpp"
 #include "core/estimators/unmet.hpp"
 
 #include <Eigen/Core>

@@ -2,6 +2,7 @@
 
 #include "core/estimators/entry.hpp"
 #include "core/estimators/unmet.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/visibility/visible_polygon.hpp"
 
 #include <Eigen/Core>

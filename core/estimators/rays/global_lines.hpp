@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/estimators/entry.hpp"
+#include "core/geometry/scene.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

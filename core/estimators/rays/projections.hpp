@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/estimators/rays/ray_shooting.hpp"
+#include "core/geometry/scene.hpp"
 
 #include <Eigen/Core>
 

@@ -1,5 +1,6 @@
 #include "reports/words/findings/radiosity_words.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "core/patches/patch_order.hpp"
 #include "core/radiosity/patch_factors.hpp"
 #include "reports/text/labels.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/exact/pair_exchange.hpp"
-#include "core/geometry/scene.hpp"
+#include "core/geometry/fwd.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/visibility/visible_polygon.hpp"
 #include "samplers/grids/gauss_legendre.hpp"

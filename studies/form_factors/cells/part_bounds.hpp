@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/geometry/convex_polygon.hpp"
-#include "core/geometry/scene.hpp"
+#include "core/geometry/fwd.hpp"
 #include "core/visibility/facing.hpp"
 #include "studies/form_factors/cells/blocked_pair.hpp"
 

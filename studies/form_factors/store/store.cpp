@@ -1,5 +1,6 @@
 #include "studies/form_factors/store/store.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "core/support/contract.hpp"
 #include "studies/form_factors/amendments.hpp"
 #include "studies/form_factors/store/stored_request.hpp"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/scene.hpp"
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "studies/store/store.hpp"

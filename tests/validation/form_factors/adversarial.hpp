@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/geometry/scene.hpp"
+#include "core/geometry/fwd.hpp"
 #include "stats/basics/resampling.hpp"
 #include "tests/validation/form_factors/tiled_walls.hpp"
 

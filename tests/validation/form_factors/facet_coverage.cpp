@@ -1,5 +1,6 @@
 #include "tests/validation/form_factors/facet_coverage.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "stats/error_rates/multiplicity.hpp"
 #include "tests/validation/form_factors/facet_entries.hpp"
 #include "tests/validation/form_factors/facet_scenes.hpp"

@@ -1,5 +1,6 @@
 #include "tests/validation/form_factors/facet_entries.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "core/visibility/facing.hpp"
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/run/parallel.hpp"

@@ -1,5 +1,6 @@
 #include "tests/validation/form_factors/facet_scenes.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "stats/basics/resampling.hpp"
 
 #include <fmt/format.h>

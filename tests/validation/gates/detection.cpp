@@ -2,6 +2,7 @@
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/exact/exact.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "samplers/sampler.hpp"
 #include "studies/gates/gate_experiment.hpp"

@@ -8,6 +8,7 @@
 #include "core/configurations/closed_forms.hpp"
 #include "core/exact/known_factors.hpp"
 #include "core/formulas/rectangle_formulas.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "tests/unit/core/configurations/intervals.hpp"
 

@@ -4,6 +4,7 @@
 #include "core/configurations/catalogue.hpp"
 #include "core/exact/exact.hpp"
 #include "core/formulas/polygon_exchange.hpp"
+#include "core/geometry/scene.hpp"
 
 #include <Eigen/Geometry>
 

@@ -3,6 +3,7 @@
 #include "core/configurations/catalogue.hpp"
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 #include "tests/support/estimator_trials.hpp"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 #include "core/configurations/catalogue.hpp"
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/logarithm.hpp"
 #include "tests/support/gauss_points.hpp"
 

@@ -1,6 +1,7 @@
 #include "core/estimators/pairs/solid_angle.hpp"
 
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 #include "tests/support/estimator_trials.hpp"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 #include "tests/unit/core/geometry/rectangles.hpp"
 
 #include <gtest/gtest.h>

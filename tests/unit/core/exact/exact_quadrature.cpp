@@ -3,6 +3,7 @@
 // exact_properties.cpp.
 
 #include "core/exact/exact.hpp"
+#include "core/geometry/scene.hpp"
 #include "tests/unit/core/geometry/random_rectangles.hpp"
 #include "tests/unit/core/geometry/rectangles.hpp"
 

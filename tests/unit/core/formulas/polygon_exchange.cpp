@@ -7,6 +7,7 @@
 #include "core/exact/exact.hpp"
 #include "core/formulas/rectangle_formulas.hpp"
 #include "core/geometry/convex_polygon.hpp"
+#include "core/geometry/scene.hpp"
 #include "tests/unit/core/geometry/random_rectangles.hpp"
 #include "tests/unit/core/geometry/rectangles.hpp"
 

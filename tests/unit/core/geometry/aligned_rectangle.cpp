@@ -1,5 +1,6 @@
 #include "core/formulas/rectangle_formulas.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "tests/unit/core/geometry/rectangles.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 #include "core/geometry/box.hpp"
 #include "core/configurations/built_in_scene.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,7 @@
 #include "core/geometry/convex_polygon.hpp"
 
+#include "core/geometry/scene.hpp"
+
 #include <gtest/gtest.h>
 
 namespace ff {

@@ -1,6 +1,9 @@
 #include "tests/unit/core/geometry/random_rectangles.hpp"
 
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
+
+#include <Eigen/Core>
 
 #include <cstdlib>
 

@@ -1,5 +1,7 @@
 #include "tests/unit/core/geometry/rectangles.hpp"
 
+#include "core/geometry/scene.hpp"
+
 #include <cmath>
 #include <cstddef>
 #include <sstream>

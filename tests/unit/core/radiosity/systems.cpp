@@ -2,6 +2,7 @@
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/exact/exact.hpp"
+#include "core/geometry/scene.hpp"
 
 #include <random>
 

@@ -1,4 +1,5 @@
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/tracing/tracer.hpp"
 #include "tests/unit/core/tracing/instruction_sets.hpp"
 #include "tests/unit/core/tracing/point_blocks.hpp"

@@ -2,6 +2,7 @@
 // tests, 16 and 11 rays were caught before Embree's tracer allowed for it.
 
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/tracing/tracer.hpp"
 #include "tests/unit/core/tracing/point_blocks.hpp"
 

@@ -1,11 +1,14 @@
 // No ray may slip out of a closed box, least of all where three walls meet.
 
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/tracing/tracer.hpp"
 #include "tests/support/repetitions.hpp"
 #include "tests/unit/core/tracing/point_blocks.hpp"
 
 #include <gtest/gtest.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>

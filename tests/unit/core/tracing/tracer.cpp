@@ -1,6 +1,7 @@
 #include "core/tracing/tracer.hpp"
 
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 
 #include <gtest/gtest.h>

@@ -1,10 +1,13 @@
 // The analytic and the general tracer, ray by ray.
 
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/tracing/tracer.hpp"
 #include "tests/unit/core/tracing/point_blocks.hpp"
 
 #include <gtest/gtest.h>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>

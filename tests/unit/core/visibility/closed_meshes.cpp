@@ -1,5 +1,7 @@
 #include "core/visibility/bodies.hpp"
 
+#include "core/geometry/scene.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>

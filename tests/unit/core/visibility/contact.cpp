@@ -1,6 +1,7 @@
 #include "core/visibility/touching.hpp"
 
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 
 #include <gtest/gtest.h>
 

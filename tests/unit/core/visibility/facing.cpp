@@ -1,6 +1,7 @@
 #include "core/visibility/facing.hpp"
 
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 #include "tests/unit/core/geometry/rectangles.hpp"
 
 #include <gtest/gtest.h>

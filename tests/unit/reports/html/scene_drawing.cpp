@@ -1,6 +1,7 @@
 #include "reports/html/scene_drawing.hpp"
 
 #include "core/configurations/built_in_scene.hpp"
+#include "core/geometry/scene.hpp"
 
 #include <gtest/gtest.h>
 

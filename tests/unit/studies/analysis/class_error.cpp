@@ -2,6 +2,7 @@
 
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 
 #include <gtest/gtest.h>
 

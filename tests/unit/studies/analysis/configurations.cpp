@@ -1,6 +1,7 @@
 // Estimates of the catalogue's scenes against its exact values: right ones agree, and a scene that is not quite the one
 // of the formula is noticed.
 
+#include "core/geometry/scene.hpp"
 #include "studies/analysis/analysis.hpp"
 #include "studies/plan/plan.hpp"
 #include "studies/readers/printable.hpp"
@@ -52,7 +53,9 @@ TEST(CatalogueStudy, FindsNoBiasAndLosesNoRay) {
 TEST(CatalogueStudy, FindsBiasOnlyWhereTheExactValueIsWrong) {
     // The exact value stays that of radii 1 and 1; the scene gets a second disc of 1.05: F12 grows by 7 %, some 0.027.
     StudyPlan plan = test::plan_of(study_of(R"("coaxial_discs_equal", "hemisphere")"));
-    std::get<Disc>(plan.scenes[0].surfaces[1].shape).outer_radius = 1.05;
+    std::vector<Scene> scenes(plan.scenes.begin(), plan.scenes.end());
+    std::get<Disc>(scenes[0].surfaces[1].shape).outer_radius = 1.05;
+    plan.scenes = Scenes(std::move(scenes));
     const Analysis findings = analyse(test::run(plan));
     EXPECT_EQ(findings.cells[0].bias_finding, BiasFinding::biased);
     EXPECT_EQ(findings.cells[1].bias_finding, BiasFinding::no_bias_found);
@@ -61,7 +64,9 @@ TEST(CatalogueStudy, FindsBiasOnlyWhereTheExactValueIsWrong) {
 TEST(CatalogueStudy, FindsBiasWhenABlockerIsForgotten) {
     StudyPlan plan = test::plan_of(study_of("\"squares_blocked\""));
     EXPECT_EQ(analyse(test::run(plan)).cells[0].bias_finding, BiasFinding::no_bias_found);
-    plan.scenes[0].surfaces.pop_back();
+    Scene open = plan.scenes[0];
+    open.surfaces.pop_back();
+    plan.scenes = Scenes({open});
     EXPECT_EQ(analyse(test::run(plan)).cells[0].bias_finding, BiasFinding::biased);
 }
 

@@ -1,6 +1,7 @@
 // Studies in scenes whose surfaces have grids of their own.
 
 #include "core/exact/exact.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "studies/analysis/analysis.hpp"
 #include "studies/diagnostics/variances.hpp"

@@ -1,4 +1,5 @@
 #include "studies/audit/audit.hpp"
+#include "studies/audit/scene_facts.hpp"
 #include "tests/unit/studies/audit/simulated_tables.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // Every printed figure of the paper is altered in turn, and the audit must notice.
 
 #include "studies/audit/audit.hpp"
+#include "studies/audit/scene_facts.hpp"
 #include "tests/support/repetitions.hpp"
 #include "tests/unit/studies/audit/simulated_tables.hpp"
 

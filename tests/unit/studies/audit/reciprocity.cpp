@@ -1,6 +1,7 @@
 // Sound tables of several scenes raise no alarm, and planted faults are found, with the planted figure to blame.
 
 #include "studies/audit/audit.hpp"
+#include "studies/audit/scene_facts.hpp"
 #include "tests/unit/studies/audit/rooms.hpp"
 
 #include <fmt/format.h>
@@ -79,10 +80,10 @@ std::vector<std::string> rows_of(const SceneFacts& facts, const Eigen::MatrixXd&
         const auto a = static_cast<Eigen::Index>(i);
         for (std::size_t j = 0; j < facts.faces(); ++j) {
             if (i == j || !is_printed(random)) continue;
-            rows.push_back(row(fmt::format("F {}-{}", facts.scene.faces[i], facts.scene.faces[j]),
+            rows.push_back(row(fmt::format("F {}-{}", facts.labels[i], facts.labels[j]),
                                print(factors(a, static_cast<Eigen::Index>(j)), format)));
         }
-        if (is_printed(random)) rows.push_back(row("sum " + facts.scene.faces[i], print(factors.row(a).sum(), format)));
+        if (is_printed(random)) rows.push_back(row("sum " + facts.labels[i], print(factors.row(a).sum(), format)));
     }
     return rows;
 }

@@ -1,5 +1,6 @@
 #include "studies/audit/references.hpp"
 
+#include "studies/audit/scene_facts.hpp"
 #include "tests/unit/studies/audit/simulated_tables.hpp"
 
 #include <gtest/gtest.h>

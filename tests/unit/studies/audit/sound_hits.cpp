@@ -72,10 +72,10 @@ studies::PublishedTables shoot_tables(const SoundHits& hits, const studies::audi
             const Count scaled = hits.reciprocal && j < i ? counts[j][i] * areas[j] : counts[i][j] * areas[i];
             sum += scaled;
             if (i == j) continue;
-            add(fmt::format("F {}-{}", facts.scene.faces[i], facts.scene.faces[j]),
+            add(fmt::format("F {}-{}", facts.labels[i], facts.labels[j]),
                 print_fraction(scaled, hits.rays * areas[i], hits));
         }
-        if (hits.sums) add("sum " + facts.scene.faces[i], print_fraction(sum, hits.rays * areas[i], hits));
+        if (hits.sums) add("sum " + facts.labels[i], print_fraction(sum, hits.rays * areas[i], hits));
     }
     const std::string text = fmt::format(
         R"({{"source": "s", "scene": "{}", "printing": {{"rule": "{}", "decimals": {}}},)"

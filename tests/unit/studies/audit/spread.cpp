@@ -1,4 +1,5 @@
 #include "studies/audit/spread.hpp"
+#include "studies/audit/scene_facts.hpp"
 
 #include "tests/unit/studies/audit/simulated_tables.hpp"
 

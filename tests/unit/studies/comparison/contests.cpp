@@ -1,7 +1,9 @@
 #include "studies/comparison/decisions.hpp"
 
 #include "core/estimators/added.hpp"
+#include "core/geometry/scene.hpp"
 #include "studies/run/measured_costs.hpp"
+#include "studies/scene_files/scene_file.hpp"
 #include "tests/support/box_faces.hpp"
 #include "tests/support/repetitions.hpp"
 #include "tests/support/studies.hpp"

@@ -1,6 +1,7 @@
 #include "core/configurations/built_in_scene.hpp"
 #include "core/estimators/points/point_to_polygon.hpp"
 #include "core/exact/exact.hpp"
+#include "core/geometry/scene.hpp"
 #include "samplers/sampler.hpp"
 
 #include <gtest/gtest.h>

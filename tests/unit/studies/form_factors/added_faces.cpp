@@ -1,6 +1,7 @@
 #include "studies/form_factors/amendments.hpp"
 
 #include "core/configurations/built_in_scene.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 #include "studies/form_factors/cells/blocked_pair.hpp"
 
+#include "core/geometry/scene.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 #include "studies/form_factors/form_factors.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "tests/support/studies.hpp"
 
 #include <fmt/format.h>

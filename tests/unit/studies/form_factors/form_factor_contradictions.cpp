@@ -1,5 +1,6 @@
 #include "core/configurations/built_in_scene.hpp"
 #include "core/configurations/catalogue.hpp"
+#include "core/geometry/scene.hpp"
 #include "studies/form_factors/form_factors.hpp"
 #include "tests/support/repetitions.hpp"
 #include "tests/support/statistical_assertions.hpp"

@@ -4,6 +4,7 @@
 #include "core/configurations/catalogue.hpp"
 #include "core/exact/exact.hpp"
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "stats/basics/binomial.hpp"
 #include "tests/support/repetitions.hpp"

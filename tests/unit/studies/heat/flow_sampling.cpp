@@ -1,6 +1,7 @@
 #include "studies/heat/flow_sampling.hpp"
 
 #include "core/configurations/built_in_scene.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "tests/support/known_flows.hpp"

@@ -1,5 +1,6 @@
 #include "studies/heat/heat.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "tests/support/known_flows.hpp"

@@ -1,5 +1,6 @@
 #include "tests/support/known_flows.hpp"
 
+#include "core/geometry/scene.hpp"
 #include "stats/basics/binomial.hpp"
 #include "tests/references/furnace_walks.hpp"
 

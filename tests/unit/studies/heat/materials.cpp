@@ -1,6 +1,7 @@
 #include "studies/heat/materials.hpp"
 
 #include "core/support/error.hpp"
+#include "studies/scene_files/scene_with_materials.hpp"
 #include "tests/support/known_flows.hpp"
 #include "tests/support/studies.hpp"
 

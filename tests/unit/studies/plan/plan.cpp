@@ -2,6 +2,7 @@
 
 #include "core/exact/known_factors.hpp"
 #include "core/geometry/placement.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "tests/support/studies.hpp"

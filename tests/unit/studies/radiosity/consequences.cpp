@@ -1,6 +1,7 @@
 #include "studies/radiosity/consequences.hpp"
 
 #include "core/exact/exact.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "studies/radiosity/cost.hpp"
 #include "studies/results/results.hpp"

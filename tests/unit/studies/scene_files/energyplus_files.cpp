@@ -1,3 +1,4 @@
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/scene_files/scene_file.hpp"

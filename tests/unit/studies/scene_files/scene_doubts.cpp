@@ -1,6 +1,7 @@
 // The messages about scenes that are not what the user meant: each kind has its own text.
 
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/scene_files/scene_file.hpp"
 

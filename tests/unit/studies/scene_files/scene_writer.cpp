@@ -2,6 +2,7 @@
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/configurations/catalogue.hpp"
+#include "core/geometry/scene.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 #include "studies/plan/plan.hpp"
 
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 
 #include <gmock/gmock.h>

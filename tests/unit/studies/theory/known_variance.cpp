@@ -1,6 +1,7 @@
 #include "studies/theory/known_variance.hpp"
 
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 #include "studies/trials/estimates.hpp"
 
 #include "core/exact/exact.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "tests/support/studies.hpp"
 #include "tests/unit/studies/quantities.hpp"

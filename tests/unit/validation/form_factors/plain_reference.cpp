@@ -2,6 +2,7 @@
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/configurations/catalogue.hpp"
+#include "core/geometry/scene.hpp"
 #include "tests/support/statistical_assertions.hpp"
 #include "tests/validation/form_factors/facet_scenes.hpp"
 
