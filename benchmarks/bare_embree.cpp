@@ -2,6 +2,7 @@
 // rtcIntersect8, patch by patch in turn, so that other load on the machine affects both.
 
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 #include "core/tracing/embree_version.hpp"
 #include "core/tracing/tracer.hpp"
 #include "samplers/sampler.hpp"

@@ -3,6 +3,7 @@
 #include "core/estimators/pairs/area_kernel.hpp"
 #include "core/estimators/points/point_to_polygon.hpp"
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 #include "samplers/sampler.hpp"
 
 #include <benchmark/benchmark.h>

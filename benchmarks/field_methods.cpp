@@ -3,6 +3,7 @@
 #include "core/configurations/built_in_scene.hpp"
 #include "core/estimators/estimator.hpp"
 #include "core/exact/known_factors.hpp"
+#include "core/geometry/scene.hpp"
 #include "samplers/sampler.hpp"
 
 #include <benchmark/benchmark.h>

@@ -1,6 +1,7 @@
 // Whole matrices with intervals, and what a sample of either kind costs.
 
 #include "studies/form_factors/form_factors.hpp"
+#include "core/geometry/scene.hpp"
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/tracing/tracer.hpp"

@@ -1,5 +1,6 @@
 // Cost of a ray among few and many surfaces: a sphere of triangles seen from a triangle inside of it.
 
+#include "core/geometry/scene.hpp"
 #include "core/tracing/tracer.hpp"
 
 #include <Eigen/Geometry>

@@ -5,6 +5,7 @@
 
 #include "core/formulas/polygon_exchange.hpp"
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 
 #include <benchmark/benchmark.h>
 

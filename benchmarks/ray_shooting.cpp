@@ -2,6 +2,7 @@
 
 #include "core/estimators/rays/ray_shooting.hpp"
 #include "core/geometry/box.hpp"
+#include "core/geometry/scene.hpp"
 #include "samplers/sampler.hpp"
 
 #include <benchmark/benchmark.h>

@@ -1,3 +1,4 @@
+#include "core/geometry/scene.hpp"
 #include "python/module/module.hpp"
 
 #include "core/estimators/added.hpp"

@@ -2,8 +2,10 @@
 
 #include "core/configurations/built_in_scene.hpp"
 #include "core/configurations/catalogue.hpp"
+#include "core/geometry/scene.hpp"
 #include "stats/basics/binomial.hpp"
 #include "stats/error_rates/multiplicity.hpp"
+#include "studies/form_factors/face_pairs.hpp"
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/run/parallel.hpp"
 #include "tests/validation/form_factors/adversarial.hpp"
