@@ -273,8 +273,9 @@ void add_heat(ProgramDefinition& program) {
     sub.option("--out", factors.out,
                "Folder for results and form factors, which the next run takes from there (default: none)",
                {.type = "DIR"});
-    sub.option("--gebhart", command.gebhart, "Also Gebhart factors and script-F, in gebhart.csv", {.needs = {"--out"}});
-    settle_by_load(sub, {"--materials", "--scale", "--flow-tolerance", "--out", "--gebhart"});
+    sub.option("--gebhart,--script-f", command.gebhart, "Also Gebhart factors and script-F, in gebhart.csv",
+               {.needs = {"--out"}});
+    settle_by_load(sub, {"--materials", "--scale", "--flow-tolerance", "--out", "--gebhart,--script-f"});
     add_verbosity(sub, factors.quiet, "Print errors and warnings only");
 }
 

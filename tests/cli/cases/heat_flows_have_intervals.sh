@@ -112,7 +112,7 @@ done
 
 # The same from a kept matrix, whose intervals have to hold all at once; Gebhart factors add up to 1.
 ffstudy form-factors furnace.obj --simultaneous --tolerance 1e-4 --out kept --quiet
-ffstudy heat --load kept --materials materials.toml --out loaded --gebhart
+ffstudy heat --load kept --materials materials.toml --out loaded --script-f
 expect_equal_files "$folder/promised" "$folder/stdout"
 expect_equal_files heat/heat.csv loaded/heat.csv
 /usr/bin/python3 - <<'PYTHON' || fail "expected rows of Gebhart factors that can add up to 1, and script-F by reciprocity"
