@@ -4,6 +4,7 @@
 #include "stats/basics/binomial.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ff::stats {
@@ -12,6 +13,24 @@ std::vector<double> sorted(std::span<const double> values) {
     std::vector<double> ascending(values.begin(), values.end());
     std::sort(ascending.begin(), ascending.end());
     return ascending;
+}
+
+std::vector<double> largest(std::span<const double> values, std::size_t count) {
+    FF_EXPECT(count <= values.size());
+    std::vector<double> all(values.begin(), values.end());
+    const auto first = all.end() - static_cast<std::ptrdiff_t>(count);
+    if (count > 0) std::nth_element(all.begin(), first, all.end());
+    std::sort(first, all.end());
+    return {first, all.end()};
+}
+
+double median(std::span<const double> values) {
+    FF_EXPECT(!values.empty());
+    std::vector<double> all(values.begin(), values.end());
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    std::nth_element(all.begin(), middle, all.end());
+    if (all.size() % 2 == 1) return *middle;
+    return quantile(std::array{*std::max_element(all.begin(), middle), *middle}, 0.5);
 }
 
 double quantile(std::span<const double> ascending, double probability) {
@@ -34,7 +53,7 @@ std::optional<double> median_absolute_error(std::span<const double> values, doub
     if (values.empty()) return std::nullopt;
     std::vector<double> errors(values.begin(), values.end());
     for (double& error : errors) error = std::abs(error - reference);
-    return quantile(sorted(errors), 0.5);
+    return median(errors);
 }
 
 std::optional<CentralRange> central_range(std::span<const double> values, double share) {

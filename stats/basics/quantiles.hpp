@@ -12,6 +12,12 @@ namespace ff::stats {
 /// A copy in ascending order.
 std::vector<double> sorted(std::span<const double> values);
 
+/// The `count` largest values, in ascending order, without sorting the others. @pre count <= number of values
+std::vector<double> largest(std::span<const double> values, std::size_t count);
+
+/// The middle value, or the mean of the two in the middle, without sorting. @pre values not empty
+double median(std::span<const double> values);
+
 /// Quantile of type 7 [hyndman1996] of ascending values. @pre `ascending` is sorted and not empty, 0 <= probability <=
 /// 1
 double quantile(std::span<const double> ascending, double probability);

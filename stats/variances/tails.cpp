@@ -63,9 +63,9 @@ constexpr double light_alpha = 0.05;         // risk of calling an infinite vari
 
 /// Index of both tails together by Hill's estimate about the median; empty where too many values are equal to it.
 std::optional<double> outer_index(std::span<const double> values) {
-    const double median = quantile(sorted(values), 0.5);
+    const double middle = median(values);
     std::vector<double> distances(values.begin(), values.end());
-    for (double& distance : distances) distance = std::abs(distance - median);
+    for (double& distance : distances) distance = std::abs(distance - middle);
     const auto tail = fit_tail_hill(distances, std::max(fewest_of_the_tail, values.size() / 10));
     return tail && tail->shape > largest_shape ? tail->index() : std::nullopt;
 }
@@ -94,10 +94,9 @@ std::optional<TailFit> fit_tail(std::span<const double> values, double fraction)
     const auto exceedances = static_cast<std::size_t>(fraction * static_cast<double>(values.size()));
     if (exceedances < fewest_exceedances) return std::nullopt;
 
-    const std::vector<double> ascending = sorted(values);
-    const std::size_t first = ascending.size() - exceedances;
-    const double threshold = ascending[first - 1];
-    std::vector<double> excesses(ascending.begin() + static_cast<std::ptrdiff_t>(first), ascending.end());
+    std::vector<double> excesses = largest(values, exceedances + 1);
+    const double threshold = excesses.front();
+    excesses.erase(excesses.begin());
     for (double& excess : excesses) excess -= threshold;
     // Ties at the threshold: too discrete to say.
     if (excesses[exceedances / 4 - 1] <= 0) return std::nullopt;
@@ -112,12 +111,11 @@ std::optional<TailFit> fit_tail(std::span<const double> values, double fraction)
 std::optional<TailFit> fit_tail_hill(std::span<const double> values, std::size_t exceedances) {
     FF_EXPECT(exceedances >= 2);
     if (values.size() <= exceedances) return std::nullopt;
-    const std::vector<double> ascending = sorted(values);
-    const std::size_t first = ascending.size() - exceedances;
-    const double threshold = ascending[first - 1];
+    const std::vector<double> ascending = largest(values, exceedances + 1);
+    const double threshold = ascending.front();
     if (threshold <= 0 || threshold == ascending.back()) return std::nullopt;
     double sum = 0;
-    for (std::size_t i = first; i < ascending.size(); ++i) sum += std::log(ascending[i] / threshold);
+    for (const double value : std::span(ascending).subspan(1)) sum += std::log(value / threshold);
     const double count = static_cast<double>(exceedances);
     const double shape = sum / count;
     return TailFit{
@@ -147,8 +145,8 @@ void PooledTails::add(std::span<const double> values) {
     const auto ascending = sorted(values);
     const double spread = quantile(ascending, 0.75) - quantile(ascending, 0.25);
     if (!(spread > 0)) return;
-    const double median = quantile(ascending, 0.5);
-    for (const double value : ascending) values_.push_back((value - median) / spread);
+    const double middle = quantile(ascending, 0.5);
+    for (const double value : ascending) values_.push_back((value - middle) / spread);
 }
 
 std::optional<TailDoubt> PooledTails::doubt() const {

@@ -54,15 +54,9 @@ std::vector<double> standardise(std::span<const double> values, const Moments& m
     return result;
 }
 
-/// Whether too few values differ from the most frequent one.
+/// Whether too few values, and fewer than half, differ from the most frequent one, which is the median then.
 bool is_sparse(std::span<const double> values) {
-    const std::vector<double> ascending = sorted(values);
-    std::size_t most = 0;
-    for (auto run = ascending.begin(); run != ascending.end();) {
-        const auto end = std::upper_bound(run, ascending.end(), *run);
-        most = std::max(most, static_cast<std::size_t>(end - run));
-        run = end;
-    }
+    const auto most = static_cast<std::size_t>(std::ranges::count(values, median(values)));
     return values.size() - most < std::min(fewest_deviating_values, values.size() / 2);
 }
 

@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
+#include <random>
+#include <vector>
 
 namespace ff::stats {
 namespace {
@@ -21,6 +24,24 @@ TEST(Quantiles, AreOfTypeSevenAsInNumpyAndR) {
 
 TEST(Quantiles, EqualASingleValue) {
     EXPECT_EQ(quantiles(std::array{7.0}, std::array{0.0, 0.3, 1.0}), (std::vector{7.0, 7.0, 7.0}));
+}
+
+/// Tied and distinct values of 1 to 40 numbers: what selection finds is what sorting finds, to the bit.
+TEST(Selection, GivesTheBitsOfSorting) {
+    std::mt19937_64 random(3);
+    for (std::size_t n = 1; n <= 40; ++n) {
+        for (const bool tied : {false, true}) {
+            std::vector<double> values;
+            for (std::size_t i = 0; i < n; ++i)
+                values.push_back(tied ? static_cast<double>(random() % 4) / 3 : static_cast<double>(random()) / 7);
+            const auto ascending = sorted(values);
+            EXPECT_EQ(median(values), quantile(ascending, 0.5));
+            for (std::size_t count = 0; count <= n; ++count) {
+                EXPECT_EQ(largest(values, count),
+                          std::vector<double>(ascending.end() - static_cast<std::ptrdiff_t>(count), ascending.end()));
+            }
+        }
+    }
 }
 
 TEST(MedianAbsoluteError, IsMeasuredFromTheReference) {
