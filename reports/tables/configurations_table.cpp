@@ -53,7 +53,7 @@ std::string error_text(const studies::PairError& found) {
     const double error = found.size();
     if (error < studies::rounding_error) return "exact";
     const bool median = found.error.status == studies::VarianceStatus::infinite;
-    return fmt::format("{:.1e}{}", error, median ? " (median)" : "");
+    return fmt::format("{:.1e}{}", error, median ? "*" : "");
 }
 
 TableCell cell_of(const studies::HiddenPair& scene, std::size_t method) {
@@ -93,16 +93,16 @@ Table configurations_table(const studies::StudyResults& results) {
 Table occlusion_table(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
     Table table{
-        "occlusion", "Errors as the occluded fraction grows",
+        "occlusion", "Errors as the occluded fraction grows (*: the median, where the variance is infinite)",
         fmt::format("RMSE of a run on one pair of faces, at the size next to the common number of evaluations, and the "
-                    "slope of ln(error) on ln(N) along all sizes (± half of its {:g} % interval); where the "
-                    "variance is infinite, the median error. Occluded: the fraction of the unoccluded form factor that "
+                    "slope of ln(error) on ln(N) along all sizes (± half of its {:g} % interval); where the variance "
+                    "is infinite, that of the median error. Occluded: the fraction of the unoccluded form factor that "
                     "does not arrive. "
                     "Green: shown to err less than every method of the other kind (sampled, deterministic), {:g} % "
                     "over all rows together. An evaluation is a ray, which serves all faces, or a value of the "
                     "kernel, which serves one pair.",
                     100 * plan.spec.level, 100 * (1 - plan.spec.level)),
-        columns({"scene", "~pair", ">occluded", ">~exact", ">~N"})};
+        columns({"scene", "~pair", ">occluded"})};
     if (results.occlusion.empty()) return table;
     for (const studies::Method& method : plan.spec.methods) table.columns.push_back({method.name});
     for (const studies::OcclusionSeries& series : results.occlusion) {
@@ -110,9 +110,7 @@ Table occlusion_table(const studies::StudyResults& results) {
             auto& row = table.rows.emplace_back();
             row.push_back(plan.scenes.name(scene.scene));
             row.push_back(quantity_label(plan.scenes[scene.scene], series.pair));
-            row.push_back(fmt::format("{:.4f}", scene.hidden));
-            row.push_back(fmt::format("{:.9f}", scene.exact));
-            row.push_back(std::to_string(series.evaluations));
+            row.push_back(fmt::format("{:.3f}", scene.hidden));
             for (std::size_t method = 0; method < scene.methods.size(); ++method) row.push_back(cell_of(scene, method));
         }
         table.remarks.push_back(series_in_words(results, series));
