@@ -163,7 +163,7 @@ Headline headline(const studies::StudyResults& results) {
     if (const auto slowest = slowest_where_occluded(results)) {
         out.numbers.push_back({fmt::format("{}: {} of {}", slowest->method, slowest->slow, slowest->pairs),
                                fmt::format("partly occluded pairs slower than N^{:g}", studies::slope_of_random),
-                               "There its error is shown to fall more slowly than that of random points with finite "
+                               "There its error falls more slowly than that of random points with finite "
                                "variance, on more pairs than that of any other method."});
     }
     if (KeyNumber bias = bias_number(results.findings); !bias.value.empty()) out.numbers.push_back(std::move(bias));

@@ -17,15 +17,17 @@ namespace {
 using namespace ff::studies;
 
 /// Gates whose pilot or trials take longer than a fuzzer has are planned only.
-void check_to_the_end(gates::Spec spec, std::size_t gate) {
-    constexpr double patience = 0.02;  // seconds
+/// @param patience  seconds left for all gates of the file
+void check_to_the_end(gates::Spec spec, std::size_t gate, double& patience) {
     gates::Plan plan = gates::prepare_gate(spec, gate, gates::GatePurpose::check, nullptr);
     plan.trials.assign(plan.study.cells.size(), gates::pilot_trials);
-    if (gates::expected_seconds(plan) > patience) return;
+    patience -= gates::expected_seconds(plan);
+    if (patience < 0) return;
     spec.max_trials = std::min(spec.max_trials, gates::pilot_trials);
     if (spec.gates[gate].trials.value_or(0) > gates::pilot_trials) return;
     static_cast<void>(gates::plan_trials(spec, plan, {}));
-    if (gates::expected_seconds(plan) > patience) return;
+    patience -= gates::expected_seconds(plan);
+    if (patience < 0) return;
     const auto result = gates::run_gate(spec, plan, {});
     for (const gates::Comparison& row : result->comparisons) {
         if (row.measurement && !(row.measurement->failing.low <= row.measurement->failing.high)) std::abort();
@@ -38,9 +40,10 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     try {
         const gates::Spec spec =
             gates::parse_bands({reinterpret_cast<const char*>(data), size}, "bands.toml", gates::read_experiment);
+        double patience = 0.05;
         for (std::size_t gate = 0; gate < spec.gates.size(); ++gate) {
             if (!(spec.gates[gate].band.low <= spec.gates[gate].band.high)) std::abort();
-            if (!spec.gates[gate].from_estimates()) check_to_the_end(spec, gate);
+            if (!spec.gates[gate].from_estimates()) check_to_the_end(spec, gate, patience);
         }
     } catch (const ff::UserError&) {
     }

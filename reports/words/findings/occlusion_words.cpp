@@ -35,8 +35,9 @@ std::vector<const HiddenPair*> scenes_where(const StudyResults& results, Conditi
 /// Slopes of one method, in ascending order.
 struct Slopes {
     std::vector<double> values;
-    int flat = 0;     ///< number that are shown to be flatter than that of random points
-    int medians = 0;  ///< number that are of the median error, for want of a variance
+    int flat = 0;       ///< number that are shown to be flatter than that of random points
+    bool shown = true;  ///< they have intervals
+    int medians = 0;    ///< number that are of the median error, for want of a variance
 };
 
 Slopes slopes_of(const std::vector<const HiddenPair*>& scenes, std::size_t method) {
@@ -45,6 +46,7 @@ Slopes slopes_of(const std::vector<const HiddenPair*>& scenes, std::size_t metho
         const auto& found = scene->methods[method];
         if (!found || !found->slope || !found->slope->slope) continue;
         if (found->slower_than_random) ++slopes.flat;
+        if (found->slope->variance == studies::VarianceStatus::none) slopes.shown = false;
         if (found->slope->statistic == studies::ErrorSize::median_abs_error) ++slopes.medians;
         slopes.values.push_back(*found->slope->slope);
     }
@@ -64,11 +66,12 @@ std::string slopes_in_words(const StudyResults& results, std::size_t method) {
     const Slopes hidden = slopes_of(scenes_where(results, std::mem_fn(&HiddenPair::is_partly_hidden)), method);
     if (hidden.values.empty()) return {};
     return fmt::format(
-        "{}: the error falls with slope {}{} where a part is occluded (median {:.2f}), shown to be "
+        "{}: the error falls with slope {}{} where a part is occluded (median {:.2f}), {}"
         "flatter than that of random points with finite variance, {:.1f}, in {} of {} cases{}.",
         results.findings.plan.spec.methods[method].name,
         open.values.empty() ? "" : fmt::format("{} unoccluded, ", range(open.values)), range(hidden.values),
-        hidden.values[hidden.values.size() / 2], studies::slope_of_random, hidden.flat, hidden.values.size(),
+        hidden.values[hidden.values.size() / 2], hidden.shown ? "shown to be " : "", studies::slope_of_random,
+        hidden.flat, hidden.values.size(),
         hidden.medians > 0
             ? fmt::format("; in {} the variance is infinite and the slope that of the median error", hidden.medians)
             : "");
