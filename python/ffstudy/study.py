@@ -5,6 +5,7 @@ import html
 import json
 import os
 import pickle
+import random
 import tempfile
 import threading
 import warnings
@@ -114,6 +115,29 @@ def _code_hash(function):
     return digest.hexdigest()[:16]
 
 
+def _shared_generators():
+    return random.getstate(), pickle.dumps(numpy.random.get_state())
+
+
+class _Watched:
+    """A function, whose first calls must not draw from a generator that all threads share: results would depend on them."""
+
+    def __init__(self, function):
+        self._function = function
+        self._watched = 2
+
+    def __call__(self, *arguments):
+        if self._watched == 0:
+            return self._function(*arguments)
+        self._watched -= 1
+        before = _shared_generators()
+        made = self._function(*arguments)
+        if _shared_generators() != before:
+            raise InputError("it draws from a generator that all threads share (that of random or numpy.random). "
+                             "Take numpy.random.default_rng(seed).")
+        return made
+
+
 def _functions(kind, functions, defaults):
     """Name, function and all options of each."""
     for name, function in (functions or {}).items():
@@ -186,9 +210,9 @@ class Study:
         threads = threads if threads is not None else len(os.sched_getaffinity(0))
         with _names:
             for name, function, options in _functions("samplers", samplers, {"d": 4, "randomised": True}):
-                _core.add_function(name, _code_hash(function), function, options["d"], options["randomised"])
+                _core.add_function(name, _code_hash(function), _Watched(function), options["d"], options["randomised"])
             for name, function, options in _functions("estimators", estimators, {"samples": True, "randomised": True}):
-                _core.add_estimator(name, _code_hash(function), function, options["samples"], options["randomised"])
+                _core.add_estimator(name, _code_hash(function), _Watched(function), options["samples"], options["randomised"])
             if out is not None:
                 tables = _core.run_study(*request, Path(out), threads, progress)
             else:

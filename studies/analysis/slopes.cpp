@@ -92,7 +92,8 @@ void fit(std::span<const stats::Rung> rungs, double level, const stats::LadderDr
     }
     slope.lack_of_fit_p = rate->lack_of_fit_p;
     slope.misfit = rate->misfit;
-    if (slope.expected) slope.p = p_of_expected(slope, rate->standard_error);
+    slope.may_bend = slope.lack_of_fit_p && *slope.lack_of_fit_p < 1 - level;
+    if (slope.expected) slope.p = p_of_expected(slope, rate->standard_error * (slope.may_bend ? slope.misfit : 1));
 }
 
 /// Everything that is fitted to one ladder.
@@ -178,7 +179,6 @@ class LadderFit {
             for (const Quantity pair : pairs) of_pairs.push_back(known_limits(plan_, *estimates, pair).unmet);
             unmet.push_back(unmet_squares(of_pairs, estimates->evaluations_per_face));
         }
-        slope.may_bend = slope.lack_of_fit_p && *slope.lack_of_fit_p < 1 - plan_.spec.level;
         if (slope.may_bend)
             slope.lack_of_fit_p = std::max(*slope.lack_of_fit_p, stats::p_of_straight_line(sizes, unmet));
         const bool met_all = std::ranges::all_of(unmet, [](const stats::Unmet& size) { return size.largest == 0; });

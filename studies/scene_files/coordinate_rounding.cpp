@@ -28,6 +28,10 @@ struct Digits {
 constexpr int most_digits = 14;
 /// This many digits distinguish all single-precision numbers.
 constexpr int digits_of_single = 9;
+/// As many decimal digits as every double keeps: whether far coordinates were written with so many cannot be seen.
+constexpr int digits_of_double = 15;
+/// Coordinates larger than so many times the scene are far.
+constexpr double far_off = 8;
 /// Coordinates with fewer digits are taken to be exact.
 constexpr int fewest_digits = 6;
 /// So many digits are those of coordinates up to 8 times as large as the scene, beyond which it counts as far away.
@@ -46,6 +50,28 @@ Digits digits_of(double value) {
         std::from_chars(*exponent == '+' ? exponent + 1 : exponent, end, found.exponent);
         return found;
     }
+}
+
+/// Whether decimal numbers were written of single-precision ones: each lies as near to one as its last digit tells,
+/// which numbers of so many digits would by chance with a probability of 1e-6. Multiples of large binary fractions are
+/// single-precision numbers that nothing was rounded for.
+bool are_written_singles(std::span<const double> values, std::span<const Digits> digits) {
+    double bits = 0;
+    std::size_t telling = 0;
+    std::size_t odd = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double value = std::abs(values[i]);
+        if (value == 0) continue;
+        const double unit = std::pow(10, -digits[i].decimals());
+        const auto single = static_cast<double>(static_cast<float>(value));
+        if (std::abs(single - value) > 0.5001 * unit) return false;
+        const double spacing = std::ldexp(1, std::ilogb(value) - 23);
+        if (spacing <= unit) continue;
+        bits += std::log2(spacing / unit);
+        ++telling;
+        if (std::fmod(single / spacing, 2) == 1) ++odd;
+    }
+    return bits > 20 && 4 * odd >= telling;
 }
 
 }  // namespace
@@ -70,10 +96,15 @@ double coordinate_rounding(std::span<const double> values, double size) {
     if (share([](const Digits& digits) { return digits.significant > digits_of_single; }) > most &&
         std::all_of(values.begin(), values.end(), is_single))
         return largest * 0x1p-24;
+    if (are_written_singles(values, all)) return largest * 0x1p-24;
+    const double unseen =
+        largest > far_off * size ? 0.5 * std::pow(10, digits_of(largest).exponent + 1 - digits_of_double) : 0;
+    const double full = share([](const Digits& digits) { return digits.significant > most_digits; });
+    if (full > most) return unseen;
     if (significant < fewest_digits) return 0;
     const double as_decimals = share([&](const Digits& digits) { return digits.decimals() == decimals; });
     const double as_significant = share([&](const Digits& digits) { return digits.significant == significant; });
-    if (std::max(as_decimals, as_significant) <= most) return 0;
+    if (std::max(as_decimals, as_significant) <= most) return full > 0 ? unseen : 0;
     if (as_decimals < as_significant) return 0.5 * std::pow(10, digits_of(largest).exponent + 1 - significant);
     const double unit = std::pow(10, -decimals);
     return unit > largest_unit * size ? 0 : 0.5 * unit;

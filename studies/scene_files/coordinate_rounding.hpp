@@ -6,8 +6,9 @@ namespace ff::studies {
 
 /// How far the coordinates of a file may be off because whoever wrote it rounded them: half a unit of the last decimal,
 /// or of the last significant digit, where most of them have the same number of digits, six or more; the rounding of
-/// single precision where all are such numbers. 0 where they look exact, for example decimals that have many digits
-/// only because the scene lies far away, but few in relation to its size.
+/// single precision where all are such numbers, or were before they were written; half a unit of the fifteenth digit
+/// far away, where they have as many digits as doubles. 0 where they look exact, for example decimals that have many
+/// digits only because the scene lies far away, but few in relation to its size.
 /// @param values  all different, none 0
 /// @param size    of the scene, in the same unit
 double coordinate_rounding(std::span<const double> values, double size);

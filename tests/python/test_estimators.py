@@ -84,7 +84,7 @@ def test_curved_scenes_come_as_toml_without_polygons():
     (lambda scene, samples, seed, trial: "factors", "no array of shape"),
     (lambda scene, samples, seed, trial: (numpy.zeros((6, 6)), -numpy.ones((6, 6))), "an error below 0"),
     (lambda scene, samples, seed, trial: 1 / 0, "mine \\(trial 0.*raised ZeroDivisionError"),
-    (lambda scene, samples, seed, trial: numpy.random.random((6, 6)), "run twice, it returns different estimates"),
+    (lambda scene, samples, seed, trial: numpy.random.random((6, 6)), "a generator that all threads share"),
     (lambda scene, samples, seed, trial: numpy.full((6, 6), 0.125), "returns the same estimates for every seed"),
     (5, "not a function"),
     ((kernel_sums, {"d": 2}), "its options are samples and randomised"),

@@ -65,6 +65,15 @@ def test_functions_can_be_of_fewer_coordinates_and_fixed():
         ffstudy.Study.from_toml(study_text("grid")).run(samplers={"grid": (grid, {"d": 2, "randomised": False})})
 
 
+one_generator = numpy.random.default_rng(1)
+
+
+def seeded_anew(n, d, seed, trial):
+    """Repeats what it does in one thread, and not where two take turns between its draws."""
+    numpy.random.seed(seed % 2**32)
+    return numpy.stack([numpy.random.random(n) for _ in range(d)], axis=1)
+
+
 @pytest.mark.parametrize("fill, message", [
     (lambda n, d, seed, trial: numpy.zeros((n, d + 1)), r"shape \(16, 5\) \(expected \(16, 4\)\)"),
     (lambda n, d, seed, trial: numpy.ones((n, d)), "point 0, coordinate 0 is 1 .*not in"),
@@ -72,7 +81,9 @@ def test_functions_can_be_of_fewer_coordinates_and_fixed():
     (lambda n, d, seed, trial: "points", "returned no array of numbers"),
     (lambda n, d, seed, trial: 1 / 0, "mine \\(trial 0.*raised ZeroDivisionError"),
     (lambda n: 0, "raised TypeError"),
-    (lambda n, d, seed, trial: numpy.random.random((n, d)), "run twice, it returns different points"),
+    (lambda n, d, seed, trial: one_generator.random((n, d)), "run twice, it returns different points"),
+    (lambda n, d, seed, trial: numpy.random.random((n, d)), "a generator that all threads share"),
+    (seeded_anew, "a generator that all threads share"),
     (lambda n, d, seed, trial: numpy.full((n, d), 0.5), "returns the same points for every seed"),
     (5, "not a function"),
     (numpy.sin, "not a function written in Python"),

@@ -36,6 +36,35 @@ TEST(CoordinateRounding, RecognisesSinglePrecision) {
     EXPECT_NEAR(coordinate_rounding(values, 1), 0.9 * 0x1p-24, 0.1 * 0x1p-24);
 }
 
+/// 60 single-precision numbers far from 0, written in this format and read again.
+std::vector<double> written_singles(const std::string& format, float far) {
+    std::vector<double> values;
+    for (const double value : written("{:.17g}")) {
+        const auto single = far + static_cast<float>(value);
+        values.push_back(std::strtod(fmt::format(fmt::runtime(format), single).c_str(), nullptr));
+    }
+    return values;
+}
+
+TEST(CoordinateRounding, RecognisesSinglePrecisionWrittenInDecimals) {
+    for (const std::string format : {"{:.6f}", "{:.9g}", "{}"})
+        EXPECT_NEAR(coordinate_rounding(written_singles(format, 1000), 1), 1000 * 0x1p-24, 0x1p-24) << format;
+    // Multiples of 1/8 are single-precision numbers, too, but were not rounded.
+    std::vector<double> eighths;
+    for (int i = 0; i < 60; ++i) eighths.push_back(500000 + i / 8.);
+    EXPECT_EQ(coordinate_rounding(eighths, 7.5), 0);
+}
+
+// Whether doubles were written with 15 digits or with all of theirs cannot be seen.
+TEST(CoordinateRounding, IsThatOfFifteenDigitsFarAway) {
+    for (const std::string format : {"{:.15g}", "{:.17g}"}) {
+        std::vector<double> values = written(format);
+        for (double& value : values)
+            value = std::strtod(fmt::format(fmt::runtime(format), 2e5 + value).c_str(), nullptr);
+        EXPECT_DOUBLE_EQ(coordinate_rounding(values, 1), 5e-10) << format;
+    }
+}
+
 TEST(CoordinateRounding, IsZeroForNumbersGivenExactly) {
     EXPECT_EQ(coordinate_rounding(written("{:.17g}"), 1), 0);
     EXPECT_EQ(coordinate_rounding(std::vector<double>{0.25, 1, 3.5, 500000.25, 1e-7, 4, 2.125}, 5e5), 0);
