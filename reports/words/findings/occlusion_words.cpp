@@ -101,9 +101,9 @@ std::vector<std::pair<std::string, int>> most_wins(const StudyResults& results,
     return wins;
 }
 
-/// How a method without a variance in some of these scenes is to be replaced there: "; where its variance is infinite
-/// (3 pairs), take Sobol' rays", by the method whose error is shown to be least in most of them; empty where no such
-/// method has one.
+/// How a method without a variance in some of these scenes is to be replaced there: "; where its variance is infinite,
+/// take Sobol' rays (least on 2 of 3 pairs)", by the method whose error is shown to be least in most of them; empty
+/// where no such method has one.
 std::string where_variance_is_infinite(const StudyResults& results, const std::vector<const HiddenPair*>& scenes,
                                        const std::string& taken) {
     const auto& methods = results.findings.plan.spec.methods;
@@ -121,8 +121,8 @@ std::string where_variance_is_infinite(const StudyResults& results, const std::v
     }
     const auto most = std::ranges::max_element(least);
     if (most == least.end() || *most == 0) return {};
-    return fmt::format("; where its variance is infinite ({}), take {}", counted(infinite, "pair"),
-                       methods[static_cast<std::size_t>(most - least.begin())].name);
+    return fmt::format("; where its variance is infinite, take {} (least on {} of {})",
+                       methods[static_cast<std::size_t>(most - least.begin())].name, *most, counted(infinite, "pair"));
 }
 
 }  // namespace

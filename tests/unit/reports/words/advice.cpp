@@ -138,7 +138,7 @@ TEST(OcclusionAdvice, NamesAnotherMethodWhereTheVarianceIsInfinite) {
     EXPECT_EQ(occlusion_advice(results),
               "take " + first +
                   " where a part is occluded: at about equal evaluations it errs least on 2 of 3 pairs; " +
-                  "where its variance is infinite (1 pair), take " + second);
+                  "where its variance is infinite, take " + second + " (least on 1 of 1 pair)");
     results.occlusion.front().scenes.back().decided = false;
     EXPECT_THAT(occlusion_advice(results), testing::Not(testing::HasSubstr(second)));
 }
