@@ -254,7 +254,9 @@ ExitCode form_factors(const FormFactorsCommand& command) {
     if (rows.count() > 0 && !command.quiet)
         say("note: resuming; {} sampled before.\n", reports::counted(rows.count(), "row"));
     const bool by_signal = compute_form_factors(command, kept);
-    if (command.shard && kept.matrix.left_out > 0 && !kept.matrix.interrupted) {
+    const bool is_whole = kept.matrix.left_out == 0 && rows.count() > 0;
+    if (command.shard && !is_whole && !kept.matrix.interrupted) {
+        rows.leave();
         if (!command.quiet)
             print_folded("shard {} is complete: {}\nWhen all are: ffstudy merge FOLDER... --out FOLDER\n",
                          *command.shard, (out->path() / rows_file).string());

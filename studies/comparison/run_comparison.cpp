@@ -41,7 +41,8 @@ std::vector<ChangedScene> changed_scenes(const StudyPlan& first, const StudyPlan
     std::vector<ChangedScene> changed;
     for (const Scene& a : first.scenes) {
         for (const Scene& b : second.scenes) {
-            if (a.name == b.name && a.canonical != b.canonical) changed.push_back({a.name, difference_of_faces(a, b)});
+            const bool is_same = a.canonical == b.canonical && a.faces == b.faces;
+            if (a.name == b.name && !is_same) changed.push_back({a.name, difference_of_faces(a, b)});
         }
     }
     return changed;
@@ -240,10 +241,13 @@ void expect_method(const StudyPlan& plan, const std::string& method) {
                     did_you_mean(method, names), fmt::join(names, ", "));
 }
 
-std::string scenes_of(const StudyPlan& plan) {
-    std::vector<std::string> names;
-    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) names.push_back(plan.scenes.name(scene));
-    return fmt::format("{}", fmt::join(names, ", "));
+/// "rays, lines on room.obj"
+std::string contents_of(const StudyPlan& plan) {
+    std::vector<std::string> methods;
+    std::vector<std::string> scenes;
+    for (const Method& method : plan.spec.methods) methods.push_back(method.name);
+    for (const Scene& scene : plan.scenes) scenes.push_back(scene.name);
+    return fmt::format("{} on {}", fmt::join(methods, ", "), fmt::join(scenes, ", "));
 }
 
 }  // namespace
@@ -334,9 +338,9 @@ RunComparison compare_runs(const Store& first, const Store& second, std::array<s
                     scene.name, scene.difference);
         }
         throw UserError(
-            "nothing to compare (no scene, method and size is in both; scenes are {} there and {} here). Give two runs "
-            "that share some, or one study both methods: it compares unlike sizes at equal cost.",
-            scenes_of(a), scenes_of(b));
+            "nothing to compare (no scene, method and size is in both: the first has {}; the second has {}). Give two "
+            "runs that share some, or one study both methods: it compares unlike sizes at equal cost.",
+            contents_of(a), contents_of(b));
     }
     judge_cells(tests, out);
     add_simultaneous_intervals(out);

@@ -35,6 +35,8 @@ class RowsInFolder {
     void take(const std::filesystem::path& file);
     /// Rows that are kept.
     [[nodiscard]] std::size_t count() const { return rows_ ? rows_->faces().size() : 0; }
+    /// Makes the file even if there is nothing to keep, so that the shard can be merged.
+    void leave() { opened(); }
     /// Has to be called when the matrix is complete.
     void remove();
 

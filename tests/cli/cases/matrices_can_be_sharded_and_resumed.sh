@@ -43,6 +43,17 @@ expect_same_matrix whole merged
 for i in 2 3 1; do ffstudy form-factors "${options[@]}" --shard $i/3 --out together; done
 expect_same_matrix whole together
 
+# A shard of which nothing has to be sampled can be merged like any other.
+for i in 1 2; do
+    ffstudy form-factors box:1x2x3 --shard $i/2 --out exact$i
+    expect_status 0
+    expect_stdout "shard $i/2 is complete: exact$i/rows.sqlite"
+done
+ffstudy form-factors box:1x2x3 --out exact
+ffstudy merge exact1 exact2 --out exact_merged
+expect_status 0
+expect_same_matrix exact exact_merged
+
 # Killed again and again while rows are kept, and stopped by limits.
 RANDOM=5
 kills=0

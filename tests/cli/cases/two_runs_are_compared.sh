@@ -119,7 +119,7 @@ expect_status 2
 expect_stderr "a run is equal to itself"
 ffstudy compare a other_scene
 expect_status 2
-expect_stderr "scenes are cube there and box:2x1x0.5 here"
+expect_stderr "on cube; the second has "
 ffstudy compare a missing
 expect_status 3
 ffstudy compare a a.toml
@@ -167,6 +167,11 @@ ffstudy run changing.toml --quiet --out room_in_another_order
 ffstudy compare room_six room_in_another_order
 expect_status 2
 expect_stderr "in each run: number 1 is 'wall0' in the first and 'wall1' in the second)"
+room 6 | sed 's/wall0/threshold/' >room.obj
+ffstudy run changing.toml --quiet --out room_renamed
+ffstudy compare room_six room_renamed
+expect_status 2
+expect_stderr "in each run: number 1 is 'wall0' in the first and 'threshold' in the second)"
 room 6 | sed 's/ 1$/ 2/' >room.obj
 ffstudy run changing.toml --quiet --out room_high
 ffstudy compare room_six room_high
