@@ -4,11 +4,11 @@
 
 namespace ff {
 
-void Repeatable::refuse_unrepeatable(std::string_view title, std::string_view what) const {
+void Repeatable::refuse_unrepeatable(std::string_view title, std::string_view when, std::string_view what) const {
     throw UserError(
-        "{}: run twice, it {} different {} (they must follow from seed and sizes alone, not from the time or "
-        "a generator that runs on). Let its random numbers follow from {}.",
-        title, words_.gives, what, words_.seed);
+        "{}: {}, it {} different {} (they must follow from seed and sizes alone, not from the time, the process or a "
+        "generator that runs on). Let its random numbers follow from {}.",
+        title, when, words_.gives, what, words_.seed);
 }
 
 void Repeatable::refuse_seedless(std::string_view title, std::string_view what) const {

@@ -3,6 +3,7 @@
 #include "core/support/processor_time.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <string_view>
 
@@ -24,8 +25,9 @@ struct OutsideWords {
 /// Says that equal results always show that seeds are ignored.
 inline constexpr auto always_telling = [](const auto& /*result*/) { return true; };
 
-/// Checks once, before the first result of outside code, what trials rest on: two runs with the same seed agree, and
-/// other seeds give other results. A generator that all calls share does not repeat.
+/// Checks once, before the first result of outside code, what trials rest on: two runs with the same seed agree, other
+/// seeds give other results, and code that answers many requests gives the same results after a new start, in another
+/// order. A generator that all calls share does not repeat.
 class Repeatable {
   public:
     Repeatable(bool randomised, OutsideWords words) : randomised_(randomised), words_(words) {}
@@ -34,23 +36,29 @@ class Repeatable {
     /// @param result  returns the result of a run with the seed of a trial, from 0
     /// @param telling  whether equal results for many seeds show that the code ignores them: rare events may not happen
     /// for any
+    /// @param restart  makes code that remembers earlier requests forget them; empty where each run is a new start
     /// @throws UserError; what `result` throws
     template <class Result, class Telling>
-    void expect(std::string_view title, std::string_view what, const Result& result, const Telling& telling) {
+    void expect(std::string_view title, std::string_view what, const Result& result, const Telling& telling,
+                const std::function<void()>& restart = {}) {
         std::call_once(checked_, [&] {
             const UncountedTime no_cost_of_trials;
             constexpr std::uint32_t other_seeds = 9;  // the first that differs is the last
             const auto first = result(0u);
-            if (first != result(0u)) refuse_unrepeatable(title, what);
+            if (first != result(0u)) refuse_unrepeatable(title, "run twice", what);
             if (!randomised_) return;
-            for (std::uint32_t trial = 1; trial <= other_seeds; ++trial)
-                if (first != result(trial) || !telling(first)) return;
-            refuse_seedless(title, what);
+            std::uint32_t trial = 1;
+            auto other = result(trial);
+            while (first == other && telling(first) && trial < other_seeds) other = result(++trial);
+            if (first == other && telling(first)) refuse_seedless(title, what);
+            if (!restart) return;
+            restart();
+            if (other != result(trial) || first != result(0u)) refuse_unrepeatable(title, "started again", what);
         });
     }
 
   private:
-    [[noreturn]] void refuse_unrepeatable(std::string_view title, std::string_view what) const;
+    [[noreturn]] void refuse_unrepeatable(std::string_view title, std::string_view when, std::string_view what) const;
     [[noreturn]] void refuse_seedless(std::string_view title, std::string_view what) const;
 
     bool randomised_;

@@ -90,6 +90,9 @@ std::string name_now(std::string_view text, const std::filesystem::path& folder)
                          : fmt::format("{}{}#{}", command_prefix, text, hash_of(files));
 }
 
+/// Processes that answer requests of this thread. Programs live as long as this process, so that the address is a name.
+thread_local std::map<const Program*, std::unique_ptr<ChildConversation>> conversations;
+
 }  // namespace
 
 bool names_command(std::string_view name) {
@@ -151,8 +154,6 @@ std::string Program::run(const std::string& place, Seed seed, Values values, std
 
 std::string Program::ask(const std::string& place, const std::string& line, const ChildConversation::Size& size,
                          std::uint64_t most_output) const {
-    // Programs live as long as the process, so that the address is a name.
-    thread_local std::map<const Program*, std::unique_ptr<ChildConversation>> conversations;
     auto& conversation = conversations[this];
     if (!conversation) {
         ChildCommand command{words_, folder_};
@@ -166,6 +167,10 @@ std::string Program::ask(const std::string& place, const std::string& line, cons
     expect_sound(place, output, most_output);
     throw IoError("{}: ended before its answer was whole ({}). Let it answer until its input ends.", place,
                   last_words(output.errors));
+}
+
+void Program::hang_up() const {
+    conversations.erase(this);
 }
 
 /// @throws IoError

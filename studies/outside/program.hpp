@@ -61,12 +61,15 @@ class Program {
     /// Checks that its results repeat, and that they depend on its seed: Repeatable::expect.
     template <class Result, class Telling>
     void expect_repeatable(std::string_view what, const Result& result, const Telling& telling) {
-        repeatable_.expect(title(), what, result, telling);
+        repeatable_.expect(title(), what, result, telling, takes_requests() ? [this] { hang_up(); } : Restart());
     }
 
   private:
     static constexpr std::string_view requests = "{requests}";
+    using Restart = std::function<void()>;
 
+    /// Ends the process that answers requests of this thread, if there is one.
+    void hang_up() const;
     void expect_sound(const std::string& place, const ChildOutput& output, std::uint64_t most_output) const;
 
     std::string text_;

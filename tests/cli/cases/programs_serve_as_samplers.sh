@@ -113,6 +113,8 @@ for line in sys.stdin:
     asked += 1
     if how == "remembers":
         seed += asked
+    if how == "hashes":
+        seed = hash(f"trial {trial} of {seed}")  # of a text: another one in each process
     draw = random.Random(seed).random
     flat = [draw() for _ in range(n * d)]
     if how == "hangs" and trial == 3:
@@ -146,6 +148,9 @@ expect_status 0
 serve two remembers
 expect_status 2
 expect_stderr "run twice, it prints different points"
+serve hashing hashes
+expect_status 2
+expect_stderr "started again, it prints different points"
 serve three hangs --deadline 1
 expect_status 3
 expect_stderr "did not end within 1 s, and was stopped"

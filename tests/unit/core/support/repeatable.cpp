@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 namespace ff {
@@ -54,6 +55,22 @@ TEST(Repeatable, ResultsThatDifferForOneSeedAreRefused) {
     EXPECT_THROW(probes_of(
                      true, [&](std::uint32_t) { return ++runs; }, always_telling),
                  UserError);
+}
+
+TEST(Repeatable, RefusesResultsThatDependOnTheRequestsBefore) {
+    // A cache by seed hides in one process that values come from a generator which all seeds share.
+    std::map<std::uint32_t, int> cache;
+    int drawn = 0;
+    const auto cached = [&](std::uint32_t trial) { return cache.try_emplace(trial, drawn++).first->second; };
+    EXPECT_NO_THROW(Repeatable(true, words).expect("mine", "points", cached, always_telling));
+    const auto restart = [&] {
+        cache.clear();
+        drawn = 0;
+    };
+    restart();
+    EXPECT_THROW(Repeatable(true, words).expect("mine", "points", cached, always_telling, restart), UserError);
+    const auto sound = [](std::uint32_t trial) { return trial; };
+    EXPECT_NO_THROW(Repeatable(true, words).expect("mine", "points", sound, always_telling, restart));
 }
 
 }  // namespace
