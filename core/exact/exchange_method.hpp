@@ -11,7 +11,7 @@ namespace ff {
 enum class ExchangeMethod : std::uint8_t {
     none,         ///< they do not face each other: exactly 0
     closed_form,  ///< elementary formulas (core/exact/exact.hpp)
-    contour,      ///< contour integrals with a bound (core/formulas/polygon_exchange.hpp)
+    contour,      ///< contour integrals with a bound (core/formulas/polygon_exchange.hpp, round_exchange.hpp)
     quadrature,   ///< Gauss's rule with a bound, of pairs far apart (core/formulas/far_exchange.hpp)
     remainder,    ///< what is missing of a row's sum
     bounds,       ///< not computed: 0 and the unoccluded value are close enough to each other
@@ -42,10 +42,11 @@ enum class ExchangeReason : std::uint8_t {
     covers,         ///< one of them covers a part of the other
     leaves,         ///< received by the surroundings of an open scene
     many_surfaces,  ///< the scene has too many surfaces to test what may stand in between
+    round,          ///< a disc or a sphere, and a flat surface, that nothing can stand between
 };
 
 /// The reasons in words, in order.
-inline constexpr std::array<std::string_view, 11> exchange_reasons{
+inline constexpr std::array<std::string_view, 12> exchange_reasons{
     "cannot see each other",
     "aligned rectangles with nothing in between",
     "polygons with nothing in between",
@@ -57,6 +58,7 @@ inline constexpr std::array<std::string_view, 11> exchange_reasons{
     "one covers a part of the other",
     "leaves the scene",
     "too many surfaces to look at each pair",
+    "disc or sphere, and a flat surface, with nothing in between",
 };
 
 constexpr std::string_view in_words(ExchangeReason reason) {

@@ -3,6 +3,7 @@
 #include "core/exact/exact.hpp"
 #include "core/formulas/far_exchange.hpp"
 #include "core/formulas/polygon_exchange.hpp"
+#include "core/formulas/round_exchange.hpp"
 #include "core/visibility/occlusion.hpp"
 
 #include <algorithm>
@@ -20,11 +21,19 @@ BoundedValue<double> contour_exchange(const Surface& from, const Surface& to, do
     return {static_cast<double>(exact.value), static_cast<double>(exact.error) + 1e-16 * brief.value};
 }
 
+bool are_polygons(const Surface& from, const Surface& to) {
+    return is_polygon(from.shape) && is_polygon(to.shape);
+}
+
 /// The exchange of surfaces with nothing in between: of polygons by the cheapest method whose error is at most
 /// `wanted`; if no method comes so close, by the most accurate one.
 PairExchange clear_exchange(const Surface& from, const Surface& to, double wanted) {
-    if (!is_polygon(from.shape) || !is_polygon(to.shape))
+    if (!are_polygons(from, to)) {
+        constexpr double digits_for_little = 1e-5;  // costs a few more nodes
+        const auto area = round_exchange_area(from, to, digits_for_little * wanted);
+        if (area && area->error <= wanted) return {ExchangeMethod::contour, ExchangeReason::round, area, {}};
         return {ExchangeMethod::rays, ExchangeReason::curved, std::nullopt, {}};
+    }
     PairExchange best{.area = std::nullopt, .blockers = {}};
     const auto is_good = [&](ExchangeMethod method, ExchangeReason reason, const BoundedValue<double>& area) {
         if (!best.area || area.error < best.area->error) best = {method, reason, area, {}};
@@ -60,18 +69,13 @@ PairExchange pair_exchange(const Surface& from, const Surface& to, const Occlude
     if (between.all_hidden) return {};
     const std::vector<Blocker>& blockers = between.occluders;
     PairExchange result = clear_exchange(from, to, wanted);
+    if (result.method != ExchangeMethod::rays && blockers.empty()) return result;
+    // Places on a curved surface see a polygon just as well.
+    const bool has_polygon = is_polygon(from.shape) || is_polygon(to.shape);
     const auto is_flat_sided = [](const Blocker& blocker) { return is_polygon(blocker.surface->shape); };
-    const bool cut_out = std::all_of(blockers.begin(), blockers.end(), is_flat_sided);
-    if (result.method == ExchangeMethod::rays) {
-        // Places on a curved surface see a polygon just as well.
-        if (!(cut_out && (is_polygon(from.shape) || is_polygon(to.shape)))) return result;
-        result.method = ExchangeMethod::cells;
-    } else if (blockers.empty()) {
-        return result;
-    } else {
-        result.method = cut_out ? ExchangeMethod::cells : ExchangeMethod::rays;
-        result.reason = cut_out ? ExchangeReason::blocked : ExchangeReason::curved;
-    }
+    const bool cut_out = has_polygon && std::all_of(blockers.begin(), blockers.end(), is_flat_sided);
+    result.method = cut_out ? ExchangeMethod::cells : ExchangeMethod::rays;
+    result.reason = cut_out && are_polygons(from, to) ? ExchangeReason::blocked : ExchangeReason::curved;
     if (blockers.size() > most_blockers) {
         result.method = ExchangeMethod::rays;
         result.reason = ExchangeReason::many_blockers;

@@ -25,8 +25,10 @@ TEST(PairExchange, TakesTheCheapestMethodThatGeometryAllows) {
     EXPECT_EQ(between("squares_at_60_degrees", 0, 1).method, ExchangeMethod::contour);
     EXPECT_EQ(between("parallel_right_triangles", 0, 1).method, ExchangeMethod::contour);
     EXPECT_EQ(between("squares_blocked", 0, 1).method, ExchangeMethod::cells);
-    EXPECT_EQ(between("coaxial_discs_equal", 0, 1).method, ExchangeMethod::rays);
+    EXPECT_EQ(between("coaxial_discs_equal", 0, 1).method, ExchangeMethod::contour);
+    EXPECT_EQ(between("coaxial_discs_equal", 0, 1).reason, ExchangeReason::round);
     EXPECT_EQ(between("cylinder_wall", 0, 0).method, ExchangeMethod::rays) << "it sees itself";
+    EXPECT_EQ(between("discs_blocked", 0, 1).method, ExchangeMethod::rays);
     EXPECT_EQ(between("discs_blocked", 0, 1).reason, ExchangeReason::curved);
 }
 
@@ -35,7 +37,7 @@ TEST(PairExchange, GivesTheUnoccludedAreaAndTheBlockers) {
     ASSERT_TRUE(blocked.area);
     EXPECT_NEAR(blocked.area->value, 0.199824895698387, blocked.area->error + 1e-15);
     EXPECT_EQ(blocked.blockers.size(), 1u);
-    EXPECT_FALSE(between("coaxial_discs_equal", 0, 1).area);
+    EXPECT_FALSE(between("cylinder_wall", 0, 0).area);
 }
 
 TEST(PairExchange, UsesMorePrecisionWhereDoubleHasTooLittle) {

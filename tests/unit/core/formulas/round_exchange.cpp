@@ -1,0 +1,184 @@
+#include "core/formulas/round_exchange.hpp"
+
+#include "core/exact/pair_exchange.hpp"
+#include "core/geometry/scene.hpp"
+#include "core/geometry/surface_map.hpp"
+#include "samplers/grids/gauss_legendre.hpp"
+
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace ff {
+namespace {
+
+using Eigen::Vector3d;
+
+Surface disc(const Vector3d& centre, const Vector3d& normal, double outer, double inner = 0) {
+    return {Disc{centre, inner, outer}, normal.normalized(), 0};
+}
+
+Surface flat_plate(const Vector3d& corner, const Vector3d& u, const Vector3d& v) {
+    return {Parallelogram{corner, u, v}, u.cross(v).normalized(), 0};
+}
+
+Surface sphere(const Vector3d& centre, double radius) {
+    return {SphereZone{centre, {0, 0, 1}, radius}, Vector3d::Zero(), 0};
+}
+
+/// The value where it is known so well, or -1.
+double exchange(const Surface& from, const Surface& to, double wanted = 1e-13) {
+    const auto area = round_exchange_area(from, to, wanted);
+    return area && area->error <= wanted ? area->value : -1;
+}
+
+/// Gauss's rule for the kernel on surfaces that are wholly in front of each other.
+double by_quadrature(const Surface& from, const Surface& to) {
+    const samplers::GaussRule rule = samplers::gauss_rule(32);
+    const auto places_of = [&](const Surface& surface) {
+        const SurfaceMap map(surface);
+        std::vector<std::pair<SurfacePoint, double>> places;
+        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+            for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
+                // A disc's coordinate s is a square; the azimuth is periodic.
+                const bool is_disc = std::holds_alternative<Disc>(surface.shape);
+                const double r = rule.nodes[i];
+                const double azimuth =
+                    is_disc ? static_cast<double>(j) / static_cast<double>(rule.nodes.size()) : rule.nodes[j];
+                const double weight_j = is_disc ? 1 / static_cast<double>(rule.nodes.size()) : rule.weights[j];
+                const double weight_i = is_disc ? 2 * r * rule.weights[i] : rule.weights[i];
+                places.emplace_back(map.at(is_disc ? r * r : r, azimuth), weight_i * weight_j * area(surface.shape));
+            }
+        }
+        return places;
+    };
+    double sum = 0;
+    const auto of_to = places_of(to);
+    for (const auto& [x, weight_x] : places_of(from)) {
+        for (const auto& [y, weight_y] : of_to) {
+            const Vector3d way = y.position - x.position;
+            const double square = way.squaredNorm();
+            sum += weight_x * weight_y * x.normal.dot(way) * -y.normal.dot(way) / (std::numbers::pi * square * square);
+        }
+    }
+    return sum;
+}
+
+/// F_12 of parallel discs on one axis. @see [howell2010] C-41
+double coaxial_discs(double r1, double r2, double h) {
+    const double a = r1 / h;
+    const double b = r2 / h;
+    const double x = 1 + (1 + b * b) / (a * a);
+    return (x - std::sqrt(x * x - 4 * b * b / (a * a))) / 2;
+}
+
+TEST(RoundExchange, IsTheClosedFormOfCoaxialDiscs) {
+    for (const auto& [r1, r2, h] : {std::tuple(1.0, 1.0, 1.0), {1.0, 0.2, 0.1}, {0.3, 2.0, 5.0}, {1.0, 1.0, 0.05}}) {
+        const double expected = std::numbers::pi * r1 * r1 * coaxial_discs(r1, r2, h);
+        EXPECT_NEAR(exchange(disc({0, 0, 0}, {0, 0, 1}, r1), disc({0, 0, h}, {0, 0, -1}, r2), 1e-11), expected, 1e-11)
+            << r1 << " " << r2 << " " << h;
+    }
+    // Of an annulus it is the difference, in either order and at any place.
+    const Vector3d place(3, -7, 11);
+    const Vector3d axis = Vector3d(1, 2, -2).normalized();
+    const double expected = std::numbers::pi * (coaxial_discs(1, 0.7, 0.5) - coaxial_discs(1, 0.4, 0.5));
+    const Surface whole = disc(place, axis, 1);
+    const Surface annulus = disc(place + 0.5 * axis, -axis, 0.7, 0.4);
+    EXPECT_NEAR(exchange(whole, annulus), expected, 1e-13);
+    EXPECT_NEAR(exchange(annulus, whole), expected, 1e-13);
+}
+
+TEST(RoundExchange, IsTheIntegralOfTheKernelInRandomPlaces) {
+    std::mt19937_64 engine(11);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const auto direction = [&] { return Vector3d(uniform(engine), uniform(engine), uniform(engine)).normalized(); };
+    int found = 0;
+    for (int k = 0; k < 400 && found < 20; ++k) {
+        const Surface one = disc({0, 0, 0}, direction(), 0.5, k % 3 == 0 ? 0.2 : 0);
+        const Vector3d there = 2.5 * direction();
+        const Vector3d u = direction();
+        const Vector3d v = 0.8 * u.cross(direction());
+        const Surface other = k % 2 == 0 ? disc(there, direction(), 0.6) : flat_plate(there - (u + v) / 2, u, v);
+        const double area = exchange(one, other);
+        if (area < 0) continue;
+        ++found;
+        EXPECT_NEAR(area, by_quadrature(one, other), 1e-9) << k;
+        EXPECT_NEAR(area, exchange(other, one), 1e-13) << k;
+    }
+    EXPECT_EQ(found, 20);
+}
+
+TEST(RoundExchange, IsTheSolidAngleOfWhatASphereSees) {
+    const double radius = 0.2;
+    const auto cap = [](double h, double a) { return 2 * std::numbers::pi * (1 - h / std::hypot(h, a)); };
+    const double expected = radius * radius * cap(0.5, 1);
+    EXPECT_NEAR(exchange(sphere({1, 1, 1}, radius), disc({1, 1, 1.5}, {0, 0, -1}, 1)), expected, 1e-14);
+    EXPECT_NEAR(exchange(disc({1, 1, 1.5}, {0, 0, -1}, 1), sphere({1, 1, 1}, radius)), expected, 1e-14);
+    // From anywhere in a box its walls receive all that leaves.
+    const Vector3d centre(0.3, 0.75, 0.4);
+    const Vector3d x = Vector3d::UnitX();
+    const Vector3d y = Vector3d::UnitY();
+    const Vector3d z = Vector3d::UnitZ();
+    double sum = 0;
+    for (const auto& [corner, u, v] : {std::tuple(Vector3d(0, 0, 0), x, y),
+                                       {Vector3d(0, 0, 1), y, x},
+                                       {Vector3d(0, 0, 0), y, z},
+                                       {Vector3d(1, 0, 0), z, y},
+                                       {Vector3d(0, 0, 0), z, x},
+                                       {Vector3d(0, 1, 0), x, z}})
+        sum += exchange(sphere(centre, radius), flat_plate(corner, u, v));
+    EXPECT_NEAR(sum, 4 * std::numbers::pi * radius * radius, 1e-13);
+    // A disc beside the axis, against its sectors in many triangles: they leave a share of (2 std::numbers::pi / n)^2
+    // / 6.
+    const Surface eccentric = disc({0.9, 0, -0.5}, {0, 0, 1}, 0.7, 0.1);
+    double triangles = 0;
+    const int n = 4000;
+    for (const auto& [r, sign] : {std::pair(0.7, 1.0), std::pair(0.1, -1.0)}) {
+        const auto at = [r = r](int k) {
+            return Vector3d(0.9 + r * std::cos(2 * std::numbers::pi * k / n),
+                            r * std::sin(2 * std::numbers::pi * k / n), -0.5);
+        };
+        for (int k = 0; k < n; ++k)
+            triangles +=
+                sign * exchange(sphere({0, 0, 0}, radius), {Triangle{{0.9, 0, -0.5}, at(k), at(k + 1)}, {0, 0, 1}, 0});
+    }
+    EXPECT_NEAR(exchange(sphere({0, 0, 0}, radius), eccentric), triangles, 1e-6 * triangles);
+}
+
+TEST(RoundExchange, StatesAnErrorThatHolds) {
+    for (const double offset : {0.0, 0.3, 0.9, 1.4}) {
+        for (const double height : {0.02, 0.1, 1.0, 30.0}) {
+            const Surface one = disc({0, 0, 0}, {0, 0, 1}, 1);
+            const Surface other = disc({offset, 0, height}, {0, 0.1 * height, -1}, 0.3);
+            const auto best = round_exchange_area(one, other, 1e-14);
+            if (!best) continue;
+            for (const double wanted : {1e-2, 1e-4, 1e-7}) {
+                const auto rough = round_exchange_area(one, other, wanted);
+                ASSERT_TRUE(rough);
+                EXPECT_LE(rough->error, wanted);
+                EXPECT_LE(std::abs(rough->value - best->value), rough->error + best->error) << offset << " " << height;
+            }
+        }
+    }
+}
+
+TEST(RoundExchange, IsEmptyWhereItIsNotKnown) {
+    const Surface floor = flat_plate({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+    EXPECT_FALSE(round_exchange_area(sphere({0, 0, 0.1}, 0.2), floor, 1e-9)) << "partly behind";
+    EXPECT_FALSE(round_exchange_area(disc({0, 0, 0.1}, {0, 1, 0}, 0.2), floor, 1e-9)) << "partly behind";
+    EXPECT_FALSE(
+        round_exchange_area(disc({0, 0.1, 0.2}, {0, 1, 0}, 0.2), flat_plate({-1, 0.1, 0}, {0, 0, 2}, {2, 0, 0}), 1e-9))
+        << "level";
+    EXPECT_FALSE(round_exchange_area(sphere({0, 0, 1}, 0.2), sphere({0, 0, 2}, 0.2), 1e-9));
+    EXPECT_FALSE(
+        round_exchange_area({SphereZone{{0, 0, 1}, {0, 0, 1}, 0.2, -1, 0.5}, Vector3d::Zero(), 0}, floor, 1e-9))
+        << "not whole";
+}
+
+}  // namespace
+}  // namespace ff
