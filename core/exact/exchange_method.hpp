@@ -43,10 +43,11 @@ enum class ExchangeReason : std::uint8_t {
     leaves,         ///< received by the surroundings of an open scene
     many_surfaces,  ///< the scene has too many surfaces to test what may stand in between
     round,          ///< a disc or a sphere, and a flat surface, that nothing can stand between
+    coaxial,        ///< surfaces about one axis that see each other wholly
 };
 
 /// The reasons in words, in order.
-inline constexpr std::array<std::string_view, 12> exchange_reasons{
+inline constexpr std::array<std::string_view, 13> exchange_reasons{
     "cannot see each other",
     "aligned rectangles with nothing in between",
     "polygons with nothing in between",
@@ -59,6 +60,7 @@ inline constexpr std::array<std::string_view, 12> exchange_reasons{
     "leaves the scene",
     "too many surfaces to look at each pair",
     "disc or sphere, and a flat surface, with nothing in between",
+    "round surfaces about one axis with nothing in between",
 };
 
 constexpr std::string_view in_words(ExchangeReason reason) {

@@ -1,5 +1,6 @@
 #include "core/exact/pair_exchange.hpp"
 
+#include "core/exact/coaxial_exchange.hpp"
 #include "core/exact/exact.hpp"
 #include "core/formulas/far_exchange.hpp"
 #include "core/formulas/polygon_exchange.hpp"
@@ -68,6 +69,8 @@ PairExchange pair_exchange(const Occluders& occluders, std::size_t from_index, s
 PairExchange pair_exchange(const Surface& from, const Surface& to, const Occluders::Between& between, double wanted) {
     if (between.all_hidden) return {};
     const std::vector<Blocker>& blockers = between.occluders;
+    const auto coaxial = coaxial_exchange_area(from, to, blockers);
+    if (coaxial && coaxial->error <= wanted) return {ExchangeMethod::closed_form, ExchangeReason::coaxial, coaxial, {}};
     PairExchange result = clear_exchange(from, to, wanted);
     if (result.method != ExchangeMethod::rays && blockers.empty()) return result;
     // Places on a curved surface see a polygon just as well.

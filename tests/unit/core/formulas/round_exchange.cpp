@@ -4,6 +4,8 @@
 #include "core/geometry/scene.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "samplers/grids/gauss_legendre.hpp"
+#include "tests/support/round_scenes.hpp"
+#include "tests/support/unit_cube.hpp"
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -18,17 +20,11 @@ namespace ff {
 namespace {
 
 using Eigen::Vector3d;
-
-Surface disc(const Vector3d& centre, const Vector3d& normal, double outer, double inner = 0) {
-    return {Disc{centre, inner, outer}, normal.normalized(), 0};
-}
-
-Surface flat_plate(const Vector3d& corner, const Vector3d& u, const Vector3d& v) {
-    return {Parallelogram{corner, u, v}, u.cross(v).normalized(), 0};
-}
+using test::disc;
+using test::wall_at;
 
 Surface sphere(const Vector3d& centre, double radius) {
-    return {SphereZone{centre, {0, 0, 1}, radius}, Vector3d::Zero(), 0};
+    return test::sphere(centre, radius, Facing::outward);
 }
 
 /// The value where it is known so well, or -1.
@@ -69,7 +65,7 @@ double by_quadrature(const Surface& from, const Surface& to) {
     return sum;
 }
 
-/// F_12 of parallel discs on one axis. @see [howell2010] C-41
+/// F_12 of parallel discs on one axis. @see [howell] C-41
 double coaxial_discs(double r1, double r2, double h) {
     const double a = r1 / h;
     const double b = r2 / h;
@@ -103,7 +99,7 @@ TEST(RoundExchange, IsTheIntegralOfTheKernelInRandomPlaces) {
         const Vector3d there = 2.5 * direction();
         const Vector3d u = direction();
         const Vector3d v = 0.8 * u.cross(direction());
-        const Surface other = k % 2 == 0 ? disc(there, direction(), 0.6) : flat_plate(there - (u + v) / 2, u, v);
+        const Surface other = k % 2 == 0 ? disc(there, direction(), 0.6) : wall_at(there - (u + v) / 2, u, v);
         const double area = exchange(one, other);
         if (area < 0) continue;
         ++found;
@@ -131,7 +127,7 @@ TEST(RoundExchange, IsTheSolidAngleOfWhatASphereSees) {
                                        {Vector3d(1, 0, 0), z, y},
                                        {Vector3d(0, 0, 0), z, x},
                                        {Vector3d(0, 1, 0), x, z}})
-        sum += exchange(sphere(centre, radius), flat_plate(corner, u, v));
+        sum += exchange(sphere(centre, radius), wall_at(corner, u, v));
     EXPECT_NEAR(sum, 4 * std::numbers::pi * radius * radius, 1e-13);
     // A disc beside the axis, against its sectors in many triangles: they leave a share of (2 std::numbers::pi / n)^2
     // / 6.
@@ -168,15 +164,14 @@ TEST(RoundExchange, StatesAnErrorThatHolds) {
 }
 
 TEST(RoundExchange, IsEmptyWhereItIsNotKnown) {
-    const Surface floor = flat_plate({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+    const Surface floor = wall_at({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
     EXPECT_FALSE(round_exchange_area(sphere({0, 0, 0.1}, 0.2), floor, 1e-9)) << "partly behind";
     EXPECT_FALSE(round_exchange_area(disc({0, 0, 0.1}, {0, 1, 0}, 0.2), floor, 1e-9)) << "partly behind";
     EXPECT_FALSE(
-        round_exchange_area(disc({0, 0.1, 0.2}, {0, 1, 0}, 0.2), flat_plate({-1, 0.1, 0}, {0, 0, 2}, {2, 0, 0}), 1e-9))
+        round_exchange_area(disc({0, 0.1, 0.2}, {0, 1, 0}, 0.2), wall_at({-1, 0.1, 0}, {0, 0, 2}, {2, 0, 0}), 1e-9))
         << "level";
     EXPECT_FALSE(round_exchange_area(sphere({0, 0, 1}, 0.2), sphere({0, 0, 2}, 0.2), 1e-9));
-    EXPECT_FALSE(
-        round_exchange_area({SphereZone{{0, 0, 1}, {0, 0, 1}, 0.2, -1, 0.5}, Vector3d::Zero(), 0}, floor, 1e-9))
+    EXPECT_FALSE(round_exchange_area(test::sphere({0, 0, 1}, 0.2, Facing::outward, -1, 0.5), floor, 1e-9))
         << "not whole";
 }
 
