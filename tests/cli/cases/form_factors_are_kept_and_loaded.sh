@@ -48,7 +48,7 @@ expect_same later plain
 [ ! -e plain/.ffstudy-part-0 ] || fail "expected what a killed run has left to be removed"
 
 # What is not within the tolerance is not when it is loaded either.
-ffstudy form-factors coaxial_discs_equal --max-samples 1000000 --out missed
+ffstudy form-factors discs_blocked --max-samples 1000000 --out missed
 expect_status 4
 cp "$folder/stdout" "$folder/missed"
 ffstudy form-factors --load missed

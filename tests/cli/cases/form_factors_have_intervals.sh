@@ -40,7 +40,7 @@ for word in $(head -n 1 results/furnace/matrix.csv | tr , ' ') \
 done
 
 # A budget that is too small: the pairs are named, the intervals are wide, and the exit code says so.
-ffstudy form-factors coaxial_discs_equal --max-samples 1000000
+ffstudy form-factors discs_blocked --max-samples 1000000
 expect_status 4
 expect_stdout "1 of 3 pairs of faces is NOT within 1e-05: 1-2 (±"
 ffstudy form-factors discs_blocked --tolerance 2e-6 --max-time 0.1
@@ -81,11 +81,11 @@ ffstudy form-factors cube --tolerance 1e-15
 expect_refused 2 "--tolerance 1e-15"
 ffstudy form-factors cube --level 1
 expect_refused 2 "--level 1"
-ffstudy form-factors coaxial_discs_equal --tolerance 1e-8 --out out
+ffstudy form-factors discs_blocked --tolerance 1e-8 --out out
 expect_refused 2 "have to be sampled by rays"
 ffstudy form-factors squares_blocked --repair --out out
 expect_refused 2 "is not said to be closed"
-ffstudy form-factors coaxial_discs_equal --max-samples 1000
+ffstudy form-factors discs_blocked --max-samples 1000
 expect_refused 2 "--max-samples 1000 (the smallest rounds of this scene take"
 ffstudy form-factors kube
 expect_refused 2 "kube"

@@ -74,7 +74,7 @@ TEST(FormFactors, AddUpSurfacesOfAFace) {
 }
 
 TEST(FormFactors, DoNotDependOnThreads) {
-    for (const char* name : {"squares_blocked", "cylinder_wall"}) {
+    for (const char* name : {"squares_blocked", "discs_blocked"}) {
         const Scene scene = built_in_scene(name);
         Request request = request_within(2e-3);
         const Matrix two = find_matrix(scene, request);
@@ -88,7 +88,7 @@ TEST(FormFactors, DoNotDependOnThreads) {
 }
 
 TEST(FormFactors, ReportWhatABudgetLeavesOut) {
-    const Scene scene = built_in_scene("coaxial_discs_equal");
+    const Scene scene = built_in_scene("discs_blocked");
     Request request = request_within(1e-5);
     request.max_samples = 2'000'000;
     const Matrix matrix = find_matrix(scene, request);
@@ -221,7 +221,7 @@ TEST(FormFactors, AreRepairedToCloseWithinTheirIntervals) {
 }
 
 TEST(FormFactors, RefuseUnattainableTolerances) {
-    const Scene round = built_in_scene("coaxial_discs_equal");
+    const Scene round = built_in_scene("discs_blocked");
     for (const double tolerance : {0.0, -1.0, 1e-15, 0.5, std::numeric_limits<double>::quiet_NaN()}) {
         EXPECT_THROW(find_matrix(round, request_within(tolerance)), UserError) << tolerance;
     }

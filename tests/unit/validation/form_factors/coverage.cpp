@@ -13,7 +13,7 @@ FormFactorCoverage coverage_of(double shrink, std::uint64_t seeds) {
     options.threads = 2;
     options.shrink = shrink;
     options.cells = false;
-    options.scenes = {"squares_blocked", "discs_blocked", "sphere_to_disc", "cube_adjacent_faces"};
+    options.scenes = {"squares_blocked", "discs_blocked", "squares_through_aperture", "cube_adjacent_faces"};
     return measure_form_factor_coverage(options);
 }
 
