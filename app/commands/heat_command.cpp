@@ -246,6 +246,7 @@ ExitCode heat(const HeatCommand& command) {
 void add_heat(ProgramDefinition& program) {
     const auto [sub, command] = program.command<HeatCommand>(
         everyday, "heat", "Heat or light between the faces of a scene, with intervals", heat);
+    constexpr const char* by_either_name = "--gebhart,--script-f";
     auto& factors = command.factors;
     factors.whole_matrix = true;
     sub.option("--load", factors.load, "Instead of SCENE: a folder of 'heat', or of 'form-factors --simultaneous'",
@@ -273,9 +274,9 @@ void add_heat(ProgramDefinition& program) {
     sub.option("--out", factors.out,
                "Folder for results and form factors, which the next run takes from there (default: none)",
                {.type = "DIR"});
-    sub.option("--gebhart,--script-f", command.gebhart, "Also Gebhart factors and script-F, in gebhart.csv",
+    sub.option(by_either_name, command.gebhart, "Also Gebhart factors and script-F, in gebhart.csv",
                {.needs = {"--out"}});
-    settle_by_load(sub, {"--materials", "--scale", "--flow-tolerance", "--out", "--gebhart,--script-f"});
+    settle_by_load(sub, {"--materials", "--scale", "--flow-tolerance", "--out", by_either_name});
     add_verbosity(sub, factors.quiet, "Print errors and warnings only");
 }
 

@@ -14,8 +14,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Coordinates larger than so many edges of the box are far.
-constexpr double far_off = 8;
 /// Logarithms of sizes whose squares are ordinary numbers in single precision.
 constexpr int most_exponent = 20;
 

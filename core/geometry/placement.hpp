@@ -15,10 +15,12 @@ struct Placement {
     [[nodiscard]] bool is_identity() const { return unit == 1 && origin.isZero(0); }
 };
 
-/// Along each axis a scene is moved where some coordinate is larger than 8 times the longest edge of the box around it,
-/// to the middle of the box, rounded to a multiple of that edge's power of two, so that no digit of a far coordinate is
-/// lost. It is scaled where that edge is not between 2^-20 and 2^20, by a power of two. Other scenes stay as they are,
-/// to the bit.
+/// Coordinates larger than so many times the longest edge of the box around a scene are far.
+inline constexpr double far_off = 8;
+
+/// Along each axis a scene is moved where some coordinate is far, to the middle of the box around it, rounded to a
+/// multiple of its longest edge's power of two, so that no digit of a far coordinate is lost. It is scaled where that
+/// edge is not between 2^-20 and 2^20, by a power of two. Other scenes stay as they are, to the bit.
 Placement placement_of(const Scene& scene);
 
 /// The largest absolute coordinate of a scene.

@@ -1,5 +1,7 @@
 #include "studies/scene_files/coordinate_rounding.hpp"
 
+#include "core/geometry/placement.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -30,11 +32,9 @@ constexpr int most_digits = 14;
 constexpr int digits_of_single = 9;
 /// As many decimal digits as every double keeps: whether far coordinates were written with so many cannot be seen.
 constexpr int digits_of_double = 15;
-/// Coordinates larger than so many times the scene are far.
-constexpr double far_off = 8;
 /// Coordinates with fewer digits are taken to be exact.
 constexpr int fewest_digits = 6;
-/// So many digits are those of coordinates up to 8 times as large as the scene, beyond which it counts as far away.
+/// So many digits are those of coordinates that are just not far.
 constexpr double largest_unit = 8e-5;
 
 Digits digits_of(double value) {
