@@ -11,7 +11,7 @@ namespace ff {
 enum class ExchangeMethod : std::uint8_t {
     none,         ///< they do not face each other: exactly 0
     closed_form,  ///< elementary formulas (core/exact/exact.hpp)
-    contour,      ///< contour integrals with a bound (core/formulas/polygon_exchange.hpp, round_exchange.hpp)
+    contour,      ///< contour integrals with a bound (core/formulas/polygon_exchange.hpp, disc_exchange.hpp)
     quadrature,   ///< Gauss's rule with a bound, of pairs far apart (core/formulas/far_exchange.hpp)
     remainder,    ///< what is missing of a row's sum
     bounds,       ///< not computed: 0 and the unoccluded value are close enough to each other
@@ -42,7 +42,7 @@ enum class ExchangeReason : std::uint8_t {
     covers,         ///< one of them covers a part of the other
     leaves,         ///< received by the surroundings of an open scene
     many_surfaces,  ///< the scene has too many surfaces to test what may stand in between
-    round,          ///< a disc or a sphere, and a flat surface, that nothing can stand between
+    round,          ///< a disc and a flat surface, or a sphere and any, that nothing can stand between
     coaxial,        ///< surfaces about one axis that see each other wholly
 };
 
@@ -59,7 +59,7 @@ inline constexpr std::array<std::string_view, 13> exchange_reasons{
     "one covers a part of the other",
     "leaves the scene",
     "too many surfaces to look at each pair",
-    "disc or sphere, and a flat surface, with nothing in between",
+    "with a disc or a sphere, nothing in between",
     "round surfaces about one axis with nothing in between",
 };
 

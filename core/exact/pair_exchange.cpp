@@ -2,9 +2,10 @@
 
 #include "core/exact/coaxial_exchange.hpp"
 #include "core/exact/exact.hpp"
+#include "core/formulas/disc_exchange.hpp"
 #include "core/formulas/far_exchange.hpp"
 #include "core/formulas/polygon_exchange.hpp"
-#include "core/formulas/round_exchange.hpp"
+#include "core/formulas/sphere_exchange.hpp"
 #include "core/visibility/occlusion.hpp"
 
 #include <algorithm>
@@ -31,7 +32,8 @@ bool are_polygons(const Surface& from, const Surface& to) {
 PairExchange clear_exchange(const Surface& from, const Surface& to, double wanted) {
     if (!are_polygons(from, to)) {
         constexpr double digits_for_little = 1e-5;  // costs a few more nodes
-        const auto area = round_exchange_area(from, to, digits_for_little * wanted);
+        auto area = disc_exchange_area(from, to, digits_for_little * wanted);
+        if (!area) area = sphere_exchange_area(from, to, digits_for_little * wanted);
         if (area && area->error <= wanted) return {ExchangeMethod::contour, ExchangeReason::round, area, {}};
         return {ExchangeMethod::rays, ExchangeReason::curved, std::nullopt, {}};
     }
@@ -72,7 +74,12 @@ PairExchange pair_exchange(const Surface& from, const Surface& to, const Occlude
     const auto coaxial = coaxial_exchange_area(from, to, blockers);
     if (coaxial && coaxial->error <= wanted) return {ExchangeMethod::closed_form, ExchangeReason::coaxial, coaxial, {}};
     PairExchange result = clear_exchange(from, to, wanted);
-    if (result.method != ExchangeMethod::rays && blockers.empty()) return result;
+    // A hollow end stands in its own way, but for what lies in front of all of it, as here.
+    const auto is_an_end = [&](const Blocker& blocker) {
+        const Shape& shape = blocker.surface->shape;
+        return result.reason == ExchangeReason::round && (shape == from.shape || shape == to.shape);
+    };
+    if (result.method != ExchangeMethod::rays && std::ranges::all_of(blockers, is_an_end)) return result;
     // Places on a curved surface see a polygon just as well.
     const bool has_polygon = is_polygon(from.shape) || is_polygon(to.shape);
     const auto is_flat_sided = [](const Blocker& blocker) { return is_polygon(blocker.surface->shape); };

@@ -1,6 +1,6 @@
-#include "core/formulas/round_exchange.hpp"
+#include "core/formulas/disc_exchange.hpp"
 
-#include "core/exact/pair_exchange.hpp"
+#include "core/configurations/closed_forms.hpp"
 #include "core/geometry/scene.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "samplers/grids/gauss_legendre.hpp"
@@ -23,14 +23,14 @@ using Eigen::Vector3d;
 using test::disc;
 using test::wall_at;
 
-Surface sphere(const Vector3d& centre, double radius) {
-    return test::sphere(centre, radius, Facing::outward);
+/// The value where it is known so well, or -1.
+double disc_exchange(const Surface& from, const Surface& to, double wanted = 1e-13) {
+    const auto area = disc_exchange_area(from, to, wanted);
+    return area && area->error <= wanted ? area->value : -1;
 }
 
-/// The value where it is known so well, or -1.
-double exchange(const Surface& from, const Surface& to, double wanted = 1e-13) {
-    const auto area = round_exchange_area(from, to, wanted);
-    return area && area->error <= wanted ? area->value : -1;
+double of_coaxial_discs(double r1, double r2, double distance) {
+    return std::numbers::pi * r1 * r1 * static_cast<double>(coaxial_discs_factor(r1, r2, distance));
 }
 
 /// Gauss's rule for the kernel on surfaces that are wholly in front of each other.
@@ -65,31 +65,24 @@ double by_quadrature(const Surface& from, const Surface& to) {
     return sum;
 }
 
-/// F_12 of parallel discs on one axis. @see [howell] C-41
-double coaxial_discs(double r1, double r2, double h) {
-    const double a = r1 / h;
-    const double b = r2 / h;
-    const double x = 1 + (1 + b * b) / (a * a);
-    return (x - std::sqrt(x * x - 4 * b * b / (a * a))) / 2;
-}
-
-TEST(RoundExchange, IsTheClosedFormOfCoaxialDiscs) {
+TEST(DiscExchange, IsTheClosedFormOfCoaxialDiscs) {
     for (const auto& [r1, r2, h] : {std::tuple(1.0, 1.0, 1.0), {1.0, 0.2, 0.1}, {0.3, 2.0, 5.0}, {1.0, 1.0, 0.05}}) {
-        const double expected = std::numbers::pi * r1 * r1 * coaxial_discs(r1, r2, h);
-        EXPECT_NEAR(exchange(disc({0, 0, 0}, {0, 0, 1}, r1), disc({0, 0, h}, {0, 0, -1}, r2), 1e-11), expected, 1e-11)
+        const double expected = of_coaxial_discs(r1, r2, h);
+        EXPECT_NEAR(disc_exchange(disc({0, 0, 0}, {0, 0, 1}, r1), disc({0, 0, h}, {0, 0, -1}, r2), 1e-11), expected,
+                    1e-11)
             << r1 << " " << r2 << " " << h;
     }
     // Of an annulus it is the difference, in either order and at any place.
     const Vector3d place(3, -7, 11);
     const Vector3d axis = Vector3d(1, 2, -2).normalized();
-    const double expected = std::numbers::pi * (coaxial_discs(1, 0.7, 0.5) - coaxial_discs(1, 0.4, 0.5));
+    const double expected = of_coaxial_discs(1, 0.7, 0.5) - of_coaxial_discs(1, 0.4, 0.5);
     const Surface whole = disc(place, axis, 1);
     const Surface annulus = disc(place + 0.5 * axis, -axis, 0.7, 0.4);
-    EXPECT_NEAR(exchange(whole, annulus), expected, 1e-13);
-    EXPECT_NEAR(exchange(annulus, whole), expected, 1e-13);
+    EXPECT_NEAR(disc_exchange(whole, annulus), expected, 1e-13);
+    EXPECT_NEAR(disc_exchange(annulus, whole), expected, 1e-13);
 }
 
-TEST(RoundExchange, IsTheIntegralOfTheKernelInRandomPlaces) {
+TEST(DiscExchange, IsTheIntegralOfTheKernelInRandomPlaces) {
     std::mt19937_64 engine(11);
     std::uniform_real_distribution<double> uniform(-1, 1);
     const auto direction = [&] { return Vector3d(uniform(engine), uniform(engine), uniform(engine)).normalized(); };
@@ -100,61 +93,24 @@ TEST(RoundExchange, IsTheIntegralOfTheKernelInRandomPlaces) {
         const Vector3d u = direction();
         const Vector3d v = 0.8 * u.cross(direction());
         const Surface other = k % 2 == 0 ? disc(there, direction(), 0.6) : wall_at(there - (u + v) / 2, u, v);
-        const double area = exchange(one, other);
+        const double area = disc_exchange(one, other);
         if (area < 0) continue;
         ++found;
         EXPECT_NEAR(area, by_quadrature(one, other), 1e-9) << k;
-        EXPECT_NEAR(area, exchange(other, one), 1e-13) << k;
+        EXPECT_NEAR(area, disc_exchange(other, one), 1e-13) << k;
     }
     EXPECT_EQ(found, 20);
 }
 
-TEST(RoundExchange, IsTheSolidAngleOfWhatASphereSees) {
-    const double radius = 0.2;
-    const auto cap = [](double h, double a) { return 2 * std::numbers::pi * (1 - h / std::hypot(h, a)); };
-    const double expected = radius * radius * cap(0.5, 1);
-    EXPECT_NEAR(exchange(sphere({1, 1, 1}, radius), disc({1, 1, 1.5}, {0, 0, -1}, 1)), expected, 1e-14);
-    EXPECT_NEAR(exchange(disc({1, 1, 1.5}, {0, 0, -1}, 1), sphere({1, 1, 1}, radius)), expected, 1e-14);
-    // From anywhere in a box its walls receive all that leaves.
-    const Vector3d centre(0.3, 0.75, 0.4);
-    const Vector3d x = Vector3d::UnitX();
-    const Vector3d y = Vector3d::UnitY();
-    const Vector3d z = Vector3d::UnitZ();
-    double sum = 0;
-    for (const auto& [corner, u, v] : {std::tuple(Vector3d(0, 0, 0), x, y),
-                                       {Vector3d(0, 0, 1), y, x},
-                                       {Vector3d(0, 0, 0), y, z},
-                                       {Vector3d(1, 0, 0), z, y},
-                                       {Vector3d(0, 0, 0), z, x},
-                                       {Vector3d(0, 1, 0), x, z}})
-        sum += exchange(sphere(centre, radius), wall_at(corner, u, v));
-    EXPECT_NEAR(sum, 4 * std::numbers::pi * radius * radius, 1e-13);
-    // A disc beside the axis, against its sectors in many triangles: they leave a share of (2 std::numbers::pi / n)^2
-    // / 6.
-    const Surface eccentric = disc({0.9, 0, -0.5}, {0, 0, 1}, 0.7, 0.1);
-    double triangles = 0;
-    const int n = 4000;
-    for (const auto& [r, sign] : {std::pair(0.7, 1.0), std::pair(0.1, -1.0)}) {
-        const auto at = [r = r](int k) {
-            return Vector3d(0.9 + r * std::cos(2 * std::numbers::pi * k / n),
-                            r * std::sin(2 * std::numbers::pi * k / n), -0.5);
-        };
-        for (int k = 0; k < n; ++k)
-            triangles +=
-                sign * exchange(sphere({0, 0, 0}, radius), {Triangle{{0.9, 0, -0.5}, at(k), at(k + 1)}, {0, 0, 1}, 0});
-    }
-    EXPECT_NEAR(exchange(sphere({0, 0, 0}, radius), eccentric), triangles, 1e-6 * triangles);
-}
-
-TEST(RoundExchange, StatesAnErrorThatHolds) {
+TEST(DiscExchange, StatesAnErrorThatHolds) {
     for (const double offset : {0.0, 0.3, 0.9, 1.4}) {
         for (const double height : {0.02, 0.1, 1.0, 30.0}) {
             const Surface one = disc({0, 0, 0}, {0, 0, 1}, 1);
             const Surface other = disc({offset, 0, height}, {0, 0.1 * height, -1}, 0.3);
-            const auto best = round_exchange_area(one, other, 1e-14);
+            const auto best = disc_exchange_area(one, other, 1e-14);
             if (!best) continue;
             for (const double wanted : {1e-2, 1e-4, 1e-7}) {
-                const auto rough = round_exchange_area(one, other, wanted);
+                const auto rough = disc_exchange_area(one, other, wanted);
                 ASSERT_TRUE(rough);
                 EXPECT_LE(rough->error, wanted);
                 EXPECT_LE(std::abs(rough->value - best->value), rough->error + best->error) << offset << " " << height;
@@ -163,16 +119,14 @@ TEST(RoundExchange, StatesAnErrorThatHolds) {
     }
 }
 
-TEST(RoundExchange, IsEmptyWhereItIsNotKnown) {
+TEST(DiscExchange, IsEmptyWhereItIsNotKnown) {
     const Surface floor = wall_at({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
-    EXPECT_FALSE(round_exchange_area(sphere({0, 0, 0.1}, 0.2), floor, 1e-9)) << "partly behind";
-    EXPECT_FALSE(round_exchange_area(disc({0, 0, 0.1}, {0, 1, 0}, 0.2), floor, 1e-9)) << "partly behind";
+    EXPECT_FALSE(disc_exchange_area(disc({0, 0, 0.1}, {0, 1, 0}, 0.2), floor, 1e-9)) << "partly behind";
     EXPECT_FALSE(
-        round_exchange_area(disc({0, 0.1, 0.2}, {0, 1, 0}, 0.2), wall_at({-1, 0.1, 0}, {0, 0, 2}, {2, 0, 0}), 1e-9))
+        disc_exchange_area(disc({0, 0.1, 0.2}, {0, 1, 0}, 0.2), wall_at({-1, 0.1, 0}, {0, 0, 2}, {2, 0, 0}), 1e-9))
         << "level";
-    EXPECT_FALSE(round_exchange_area(sphere({0, 0, 1}, 0.2), sphere({0, 0, 2}, 0.2), 1e-9));
-    EXPECT_FALSE(round_exchange_area(test::sphere({0, 0, 1}, 0.2, Facing::outward, -1, 0.5), floor, 1e-9))
-        << "not whole";
+    EXPECT_FALSE(
+        disc_exchange_area(disc({0, 0, 1}, {0, 0, -1}, 0.2), test::sphere({0, 0, 0}, 0.2, Facing::outward), 1e-9));
 }
 
 }  // namespace
