@@ -27,11 +27,13 @@ struct CompareCommand {
     bool quiet = false;
 };
 
-/// The names of two folders, with as many of the folders above them as it takes to distinguish them.
-std::array<std::string, 2> names_of_folders(const std::filesystem::path& first, const std::filesystem::path& second) {
+/// The names of the folders of two stores, with as many of the folders above them as it takes to distinguish them; of
+/// stores in one folder, with their own names.
+std::array<std::string, 2> names_of_stores(const std::filesystem::path& first, const std::filesystem::path& second) {
     using std::filesystem::path;
     path a = std::filesystem::absolute(first).lexically_normal().parent_path();
     path b = std::filesystem::absolute(second).lexically_normal().parent_path();
+    if (a == b) return {(a.filename() / first.filename()).string(), (b.filename() / second.filename()).string()};
     path end_a = a.filename();
     path end_b = b.filename();
     while (end_a == end_b && a.has_relative_path() && b.has_relative_path()) {
@@ -81,7 +83,7 @@ ExitCode compare(const CompareCommand& command) {
     expect_two(command, one, other, same_run);
     const auto templates = find_templates(command.templates);
     const bool of_methods = !one.method.empty();
-    auto names = same_run ? std::array{one.method, other.method} : names_of_folders(first, second);
+    auto names = same_run ? std::array{one.method, other.method} : names_of_stores(first, second);
     if (of_methods && !same_run) names = {names[0] + ":" + one.method, names[1] + ":" + other.method};
     const auto comparison = studies::compare_runs(
         open_results(first), open_results(second), names,

@@ -2,6 +2,7 @@
 
 #include "core/support/processor_time.hpp"
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <mutex>
@@ -41,29 +42,39 @@ class Repeatable {
     template <class Result, class Telling>
     void expect(std::string_view title, std::string_view what, const Result& result, const Telling& telling,
                 const std::function<void()>& restart = {}) {
-        std::call_once(checked_, [&] {
-            const UncountedTime no_cost_of_trials;
-            constexpr std::uint32_t other_seeds = 9;  // the first that differs is the last
-            const auto first = result(0u);
-            if (first != result(0u)) refuse_unrepeatable(title, "run twice", what);
-            if (!randomised_) return;
-            std::uint32_t trial = 1;
-            auto other = result(trial);
-            while (first == other && telling(first) && trial < other_seeds) other = result(++trial);
-            if (first == other && telling(first)) refuse_seedless(title, what);
-            if (!restart) return;
-            restart();
-            if (other != result(trial) || first != result(0u)) refuse_unrepeatable(title, "started again", what);
-        });
+        // Not std::call_once: threads that wait for one that throws wait for ever under ThreadSanitizer.
+        if (checked_) return;
+        const std::lock_guard lock(checking_);
+        if (checked_) return;
+        check(title, what, result, telling, restart);
+        checked_ = true;
     }
 
   private:
+    template <class Result, class Telling>
+    void check(std::string_view title, std::string_view what, const Result& result, const Telling& telling,
+               const std::function<void()>& restart) const {
+        const UncountedTime no_cost_of_trials;
+        constexpr std::uint32_t other_seeds = 9;  // the first that differs is the last
+        const auto first = result(0u);
+        if (first != result(0u)) refuse_unrepeatable(title, "run twice", what);
+        if (!randomised_) return;
+        std::uint32_t trial = 1;
+        auto other = result(trial);
+        while (first == other && telling(first) && trial < other_seeds) other = result(++trial);
+        if (first == other && telling(first)) refuse_seedless(title, what);
+        if (!restart) return;
+        restart();
+        if (other != result(trial) || first != result(0u)) refuse_unrepeatable(title, "started again", what);
+    }
+
     [[noreturn]] void refuse_unrepeatable(std::string_view title, std::string_view when, std::string_view what) const;
     [[noreturn]] void refuse_seedless(std::string_view title, std::string_view what) const;
 
     bool randomised_;
     OutsideWords words_;
-    std::once_flag checked_;
+    std::mutex checking_;
+    std::atomic<bool> checked_ = false;
 };
 
 }  // namespace ff

@@ -104,7 +104,7 @@ Table differences_table(const RunComparison& comparison) {
 
 void add_unmatched(const studies::Analysis& findings, const std::vector<std::size_t>& cells, std::string_view run,
                    std::vector<std::string>& lines) {
-    if (!findings.complete) lines.push_back(fmt::format("{} is partial: it was stopped early.", run));
+    if (!findings.complete) lines.push_back(fmt::format("{} is partial: some of its trials are missing.", run));
     if (findings.plan.spec.until)
         lines.push_back(
             fmt::format("{} is adaptive: the number of its trials follows from their spread, and error rates "

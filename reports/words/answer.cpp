@@ -186,7 +186,7 @@ std::vector<std::string> configuration_clauses(const StudyResults& results,
     const std::size_t sampled = agree + biased + untested;
     if (sampled > 0) {
         clauses.push_back(
-            fmt::format("{} of {} sampled estimates agree with the exact value, {} {} biased (a false alarm "
+            fmt::format("{} of {} sampled estimates show no bias, {} {} biased (a false alarm "
                         "anywhere: {:g} %) and {} cannot be tested",
                         agree, sampled, biased, biased == 1 ? "is" : "are",
                         100 * (1 - results.findings.plan.spec.level), untested));
@@ -320,7 +320,9 @@ Answer answer(const StudyResults& results) {
     sentences.insert(sentences.end(), out.finding.caveats.begin(), out.finding.caveats.end());
     if (!in_print.empty()) sentences.push_back(std::move(in_print));
     if (sentences.empty())
-        sentences.emplace_back("Nothing is compared: trials are too few, variances infinite, or all is exact.");
+        sentences.emplace_back(
+            "Nothing is compared: trials are too few, squared errors vary without limit or not at all, or all is "
+            "exact.");
     out.text = fmt::format("{}", fmt::join(sentences, " "));
     return out;
 }

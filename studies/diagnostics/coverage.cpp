@@ -192,7 +192,6 @@ std::optional<ClaimedErrors> judge(const Store& store, const CellEstimates& esti
     const StudyPlan& plan = store.plan();
     const auto pairs = known_pairs_of_class(plan, plan.cells[estimates.cell], known, pair_class);
     if (pairs.empty() || estimates.trials() == 0) return std::nullopt;
-    const double level = plan.spec.level;
     ClaimedErrors found{.cell = estimates.cell,
                         .pair_class = pair_class,
                         .claimant = claimant,
@@ -211,14 +210,24 @@ std::optional<ClaimedErrors> judge(const Store& store, const CellEstimates& esti
         found.worst_pair = pair;
     }
     found.worst_held = fewest;
-    found.worst_share_interval = stats::clopper_pearson_interval({fewest, estimates.trials()},
-                                                                 1 - (1 - level) / static_cast<double>(pairs.size()));
+    found.pairs = pairs.size();
     found.median_ratio = *stats::median_absolute_error(ratios, 0);
     found.largest_ratio = *std::ranges::max_element(ratios);
-    const bool wrong =
-        found.promised < 1 ? found.worst_share_interval.high < found.promised : found.held < found.claims;
-    found.finding = wrong ? ClaimedErrorFinding::fails : ClaimedErrorFinding::holds;
     return found;
+}
+
+/// Shares that have to hold are judged together, on each pair.
+void find_failures(std::vector<ClaimedErrors>& all, double level) {
+    std::size_t pairs = 0;
+    for (const ClaimedErrors& each : all) pairs += each.pairs;
+    if (all.empty()) return;
+    const double of_pair = 1 - stats::bonferroni_level(1 - level, pairs);
+    for (ClaimedErrors& each : all) {
+        each.worst_share_interval =
+            stats::clopper_pearson_interval({each.worst_held, each.claims / each.pairs}, of_pair);
+        const bool wrong = each.promised < 1 ? each.worst_share_interval.high < each.promised : each.held < each.claims;
+        each.finding = wrong ? ClaimedErrorFinding::fails : ClaimedErrorFinding::holds;
+    }
 }
 
 }  // namespace
@@ -263,6 +272,7 @@ std::vector<ClaimedErrors> judge_claimed_errors(const CellReader& cells) {
             }
         }
     }
+    find_failures(all, plan.spec.level);
     return all;
 }
 

@@ -74,7 +74,8 @@ struct ClaimedErrors {
     std::uint64_t held = 0;
     Quantity worst_pair = {};  ///< the pair with the fewest claims that hold
     std::uint64_t worst_held = 0;
-    /// Clopper-Pearson interval on that pair from all runs, corrected for the pairs of the class.
+    std::size_t pairs = 0;
+    /// Clopper-Pearson interval on that pair from all runs, corrected for all pairs of all rows (Bonferroni).
     stats::Interval worst_share_interval = {};
     double median_ratio = 0;  ///< median of |error| / claim
     double largest_ratio = 0;

@@ -54,6 +54,10 @@ is_over_or() { is_over || "$@"; }
 # a_unit_is_saved OUT: by a run that continues; the log of its store shows it.
 a_unit_is_saved() { [ -n "$(find "$1" -name results.sqlite-wal -size +64k 2>/dev/null)" ]; }
 
+# runs_with_tsan: whether ThreadSanitizer is in the program. It takes ten times as long for anything, and delivers
+# signals late.
+runs_with_tsan() { ldd "$program" | grep libtsan >/dev/null; }
+
 # try_again WHAT: counts in a loop around what may be over before something is done to it on its way.
 tries=0
 try_again() { [ $((++tries)) -lt 50 ] || fail "tried $tries times: $1"; }

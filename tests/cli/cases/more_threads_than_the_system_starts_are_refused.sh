@@ -8,7 +8,7 @@ ffstudy run "$folder/study.toml" --threads 4096 --out "$folder/out"
 expect_status 0
 
 # Threads with stacks of 64 TiB (in KiB) are more than any system gives, and than ThreadSanitizer can begin with.
-if ldd "$program" | grep libtsan >/dev/null; then exit; fi
+! runs_with_tsan || exit 0
 (
     ulimit -s $((1 << 36))
     ffstudy run "$folder/study.toml" --threads 3 --out "$folder/other"

@@ -80,6 +80,9 @@ expect_equal_files kept.sqlite out/results.before-1.sqlite
 expect_bytes_of_a_fresh_run
 ffstudy report out/results.before-1.sqlite --out before --quiet
 expect_status 0
+ffstudy compare out/results.before-1.sqlite out
+expect_stdout "out/results.before-1.sqlite: study"
+expect_stdout "out/results.sqlite: study"
 sed -i 's/seed = 3/seed = 4/' study.toml
 ffstudy run study.toml --out out
 expect_status 2

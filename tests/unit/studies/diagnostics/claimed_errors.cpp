@@ -30,6 +30,24 @@ samples_per_patch = 1000
     EXPECT_EQ(found[0].finding, ClaimedErrorFinding::holds);
 }
 
+// The error rate is shared by all pairs of all rows: no sound claim of a study fails, but with probability 0.05.
+TEST(ClaimedErrors, AreJudgedTogether) {
+    const auto found = judged(R"([[method]]
+name = "SR"
+sampler = "random"
+estimator = "ray_shooting"
+samples_per_patch = [512, 1024, 2048]
+)",
+                              20);
+    ASSERT_EQ(found.size(), 6u);
+    double pairs = 0;
+    for (const ClaimedErrors& each : found) pairs += static_cast<double>(each.pairs);
+    for (const ClaimedErrors& each : found) {
+        EXPECT_DOUBLE_EQ(each.worst_share_interval.level, 1 - 0.05 / pairs);
+        EXPECT_EQ(each.claims, each.pairs * 20);
+    }
+}
+
 // Sobol' points err less than independent ones: what their binomial error claims holds nearly always.
 TEST(ClaimedErrors, AreTooLargeInOneRunOfSobolPoints) {
     const auto found = judged(R"([[method]]
