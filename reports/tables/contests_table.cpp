@@ -149,8 +149,8 @@ Table side_by_side(const studies::StudyResults& results, bool timed) {
                                         [](const Contest& contest) { return !contest.exact.empty(); });
     if (some_exact) table.remarks.emplace_back("exact: to rounding. Ratios are to the best of the others.");
     table.remarks.push_back(
-        fmt::format("Intervals of level {:g} hold together for all pairs of methods and all sizes in a column, of a "
-                    "class of pairs (Bonferroni). All of them: comparisons.csv.",
+        fmt::format("Intervals of level {:g} hold together for all pairs of methods, sizes and classes of pairs in a "
+                    "column, of a scene (Bonferroni). All of them: comparisons.csv.",
                     plan.spec.level));
     if (!timed) table.remarks.emplace_back(measured_elsewhere);
     if (timed && studies::main_contests(results.contests, Equal::processor_time).empty())

@@ -135,11 +135,11 @@ double shared_noise(const CellReader& cells, std::size_t a, std::size_t b, PairC
     return squares_x > 0 && squares_y > 0 ? products / std::sqrt(squares_x * squares_y) : 0;
 }
 
-/// The contests of a scene and class with the same thing equal, whose intervals hold together.
+/// The contests of a scene and class with the same thing equal.
 class Family {
   public:
     Family(const CellReader& cells, Contest kind, const std::vector<Contender>& all, const std::vector<Rung>& exact)
-        : cells_(&cells) {
+        : cells_(&cells), equal_(kind.equal) {
         if (all.empty()) return;
         const auto method_of = [&](std::size_t cell) { return cells.plan().cells[cell].method; };
         for (const double budget : budgets(all, exact, kind.equal)) {
@@ -171,13 +171,18 @@ class Family {
         }
     }
 
-    std::vector<Contest> decide(double level) {
-        for (std::size_t i = 0; i < contests_.size(); ++i) decide(contests_[i], placed_[i], level);
+    [[nodiscard]] Equal equal() const { return equal_; }
+    /// Number of pairs of entrants, in all contests.
+    [[nodiscard]] double pairs() const { return pairs_; }
+
+    /// @param pairs  of all contests whose intervals hold together
+    std::vector<Contest> decide(double level, double pairs) {
+        for (std::size_t i = 0; i < contests_.size(); ++i) decide(contests_[i], placed_[i], level, pairs);
         return std::move(contests_);
     }
 
   private:
-    void decide(Contest& contest, const std::vector<Placed>& placed, double level) const {
+    void decide(Contest& contest, const std::vector<Placed>& placed, double level, double pairs) const {
         const std::size_t n = placed.size();
         std::vector<bool> differ(n * n, false);
         std::vector<double> values;
@@ -185,7 +190,7 @@ class Family {
             contest.entrants.push_back(placed[a].entrant);
             values.push_back(placed[a].entrant.value);
             for (std::size_t b = a + 1; b < n; ++b) {
-                const Handicap handicap = compare(contest, placed, a, b, level);
+                const Handicap handicap = compare(contest, placed, a, b, level, pairs);
                 differ[a * n + b] = handicap.apart;
                 contest.handicaps.push_back(handicap);
             }
@@ -197,14 +202,14 @@ class Family {
     }
 
     [[nodiscard]] Handicap compare(const Contest& contest, const std::vector<Placed>& placed, std::size_t a,
-                                   std::size_t b, double level) const {
+                                   std::size_t b, double level, double pairs) const {
         const Placed& better = placed[a];
         const Placed& worse = placed[b];
         Handicap handicap{a, b, worse.entrant.value / better.entrant.value, std::nullopt, false};
         const double shared = contest.equal == Equal::evaluations
                                   ? shared_noise(*cells_, better.entrant.cell, worse.entrant.cell, contest.pair_class)
                                   : 0;
-        const auto interval = ratio_interval(better.logarithm, worse.logarithm, 1 - (1 - level) / pairs_, shared);
+        const auto interval = ratio_interval(better.logarithm, worse.logarithm, 1 - (1 - level) / pairs, shared);
         handicap.apart = interval ? interval->low > 1 : handicap.ratio > 1 + 1e-9;
         if (!interval || !interval->is_finite() || interval->low == 0) return handicap;
         handicap.interval = interval;
@@ -213,9 +218,10 @@ class Family {
     }
 
     const CellReader* cells_;
+    Equal equal_;
     std::vector<Contest> contests_;
     std::vector<std::vector<Placed>> placed_;
-    double pairs_ = 0;  ///< number of pairs of entrants, in all contests
+    double pairs_ = 0;
 };
 
 }  // namespace
@@ -224,12 +230,21 @@ std::vector<Contest> hold_contests(const CellReader& cells, const Analysis& find
     const Costs costs = measured_costs(findings.plan, cells.store().context());
     std::vector<Contest> contests;
     for (std::size_t scene = 0; scene < findings.plan.scenes.size(); ++scene) {
+        std::vector<std::vector<Family>> of_classes;
+        std::map<Equal, double> pairs;  // intervals of a scene with the same thing equal hold together
         for (const PairClass pair_class : pair_classes) {
+            std::vector<Family>& families = of_classes.emplace_back();
             for (const Equal equal : {Equal::evaluations, Equal::processor_time, Equal::error}) {
-                Family family(cells, {scene, pair_class, equal, 0, {}, {}},
-                              contenders(findings, costs, scene, pair_class, equal),
-                              exact_sizes(findings, costs, scene, pair_class, equal));
-                for (Contest& contest : family.decide(findings.plan.spec.level)) contests.push_back(std::move(contest));
+                families.emplace_back(cells, Contest{scene, pair_class, equal, 0, {}, {}},
+                                      contenders(findings, costs, scene, pair_class, equal),
+                                      exact_sizes(findings, costs, scene, pair_class, equal));
+                pairs[equal] += families.back().pairs();
+            }
+        }
+        for (std::vector<Family>& families : of_classes) {
+            for (Family& family : families) {
+                for (Contest& contest : family.decide(findings.plan.spec.level, pairs[family.equal()]))
+                    contests.push_back(std::move(contest));
             }
         }
     }

@@ -45,7 +45,7 @@ struct Handicap {
 };
 
 /// Methods of a study on a class of pairs of a scene, at one budget: an entrant, and another or an exact one. Intervals
-/// hold together for all pairs of entrants and all budgets of a scene and class (Bonferroni), so that being the best of
+/// hold together for all pairs of entrants, budgets and classes of a scene (Bonferroni), so that being the best of
 /// many is paid for.
 struct Contest {
     std::size_t scene = 0;
