@@ -170,8 +170,8 @@ std::optional<BoundedValue<double>> coaxial_exchange_area(const Surface& from, c
     const auto is_clear_of = [&](const Blocker& blocker) { return keeps_clear(*blocker.surface, *a, *b, *axis); };
     if (!std::ranges::all_of(between, is_clear_of)) return std::nullopt;
     Real sum = &from == &to ? area(from.shape) : 0;
-    for (const Rim& one : a->rims) {
-        for (const Rim& other : b->rims) sum -= one.sense * other.sense * between_discs(one, other, axis->room());
+    for (const Rim& rim : a->rims) {
+        for (const Rim& other : b->rims) sum -= rim.sense * other.sense * between_discs(rim, other, axis->room());
     }
     return BoundedValue<double>{std::max(0.0, static_cast<double>(sum)),
                                 error_by_tolerance * axis->extent * axis->extent};

@@ -19,7 +19,7 @@ using circles::Frame;
 using circles::PeriodicRule;
 using Eigen::Vector3d;
 
-constexpr double last_place = std::numeric_limits<double>::epsilon();
+constexpr double rounding_unit = std::numeric_limits<double>::epsilon();
 
 /// A surface as seen from a place, the eye.
 struct Sight {
@@ -42,7 +42,7 @@ Sight sight_of_polygon(const Surface& surface, const Vector3d& eye, const Frame&
     Sight sight{-surface.normal.dot(around.front()), {}, {}, {}};
     for (std::size_t k = 2; k < around.size(); ++k)
         sight.seen.value += solid_angle(around[0], around[k - 1], around[k]);
-    sight.seen.error = 32 * last_place * (1 + sight.seen.value);
+    sight.seen.error = 32 * rounding_unit * (1 + sight.seen.value);
     return sight;
 }
 
@@ -95,7 +95,7 @@ std::optional<BoundedValue<double>> beyond(const Circle& rim, const Vector3d& ax
                                            double wanted) {
     const double above = axis.dot(rim.centre - eye);
     const double whole = above < 0 ? 4 * std::numbers::pi : 0;
-    if (rim.radius == 0) return BoundedValue<double>{whole, 4 * last_place * whole};
+    if (rim.radius == 0) return BoundedValue<double>{whole, 4 * rounding_unit * whole};
     const double height = std::abs(above);
     const Vector3d foot = eye + above * axis;
     const double nearest = rim.distance_to(eye);
@@ -115,7 +115,7 @@ std::optional<BoundedValue<double>> beyond(const Circle& rim, const Vector3d& ax
         sizes += std::abs(term);
     }
     const double weight = 2 * std::numbers::pi / static_cast<double>(rule.nodes);
-    const double error = 2 * std::numbers::pi * rule.error + 16 * last_place * (weight * sizes + whole);
+    const double error = 2 * std::numbers::pi * rule.error + 16 * rounding_unit * (weight * sizes + whole);
     return BoundedValue<double>{above < 0 ? whole - weight * sum : weight * sum, error};
 }
 
