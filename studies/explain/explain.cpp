@@ -28,7 +28,7 @@ std::vector<Description> describe_estimators() {
     return all;
 }
 
-constexpr std::array scenes{
+constexpr std::array scene_kinds{
     Description{
         "cube", "the inside of the paper's cube, edges of 6",
         "Faces as in the paper: 1 opposite 6, 2 opposite 3, 4 opposite 5; 3 is frontal. The same scene as box:6x6x6.",
@@ -146,7 +146,7 @@ std::span<const Choices> all_choices() {
     static const std::vector<Description> estimators = describe_estimators();
     static const std::array choices{
         Choices{"estimator", "estimators", estimators},
-        Choices{"scene", "scenes", scenes},
+        Choices{"scene", "scenes", scene_kinds},
         Choices{"completion", "completions", completions},
         Choices{"allocation", "allocations", allocations},
         Choices{"map", "maps", maps},
