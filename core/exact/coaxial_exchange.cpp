@@ -116,7 +116,6 @@ Real excess(const Turned& zone, const Turned& wall) {
 /// Whether every place of a ring lies in front of every place of another.
 bool is_in_front(const Turned& ring, const Turned& of, Real room) {
     if (are_of_one_sphere(ring, of, room)) return true;
-    if (of.zone() != nullptr && ring.zone() != nullptr) return false;
     const auto all_rims = [&](const auto& holds) { return std::ranges::all_of(ring.rims, holds); };
     if (of.disc() != nullptr)
         return all_rims([&](const Rim& rim) { return of.rims[1].sense * (rim.height - of.middle) >= -room; });
@@ -124,12 +123,22 @@ bool is_in_front(const Turned& ring, const Turned& of, Real room) {
         if (ring.zone() != nullptr) return excess(ring, of) <= room;
         return all_rims([&](const Rim& rim) { return rim.radius <= of.radius_at(rim.height) + room; });
     }
-    // The tangent plane that leaves least room for a rim touches the zone in the rim's direction, or at an end.
-    const auto direction = [&](const Rim& rim) { return std::atan2(rim.height - of.middle, rim.radius); };
+    // Tangent planes touch the zone in all directions between those of its rims. The one that leaves least room for a
+    // rim does so in the rim's direction, or at an end; for a zone, at an end of the directions that both have.
+    const auto direction = [](const Rim& rim, Real middle) { return std::atan2(rim.height - middle, rim.radius); };
+    const Real low = direction(of.rims[0], of.middle);
+    const Real high = direction(of.rims[1], of.middle);
+    const Real most = of.zone()->radius + room;
+    if (ring.zone() != nullptr) {
+        const Real begin = std::max(low, direction(ring.rims[0], ring.middle));
+        const Real end = std::min(high, direction(ring.rims[1], ring.middle));
+        for (const Real at : {begin, end}) {
+            if (begin <= end && (ring.middle - of.middle) * std::sin(at) + ring.zone()->radius > most) return false;
+        }
+    }
     return all_rims([&](const Rim& rim) {
-        const Real nearest = std::clamp(direction(rim), direction(of.rims[0]), direction(of.rims[1]));
-        return (rim.height - of.middle) * std::sin(nearest) + rim.radius * std::cos(nearest) <=
-               of.zone()->radius + room;
+        const Real nearest = std::clamp(direction(rim, of.middle), low, high);
+        return (rim.height - of.middle) * std::sin(nearest) + rim.radius * std::cos(nearest) <= most;
     });
 }
 

@@ -64,6 +64,29 @@ TEST(CoaxialExchange, FillsARowOfADividedFurnace) {
     }
 }
 
+TEST(CoaxialExchange, FillsARowOfACapsuleAndALens) {
+    const std::vector<Surface> capsule{sphere(up(1), 1, Facing::inward, -1, 0),
+                                       wall(up(1), 2 * test::tilted, 1, 1, Facing::inward),
+                                       sphere(up(3), 1, Facing::inward, 0, 1)};
+    // Two spheres of radius 1 whose centres are 1.2 apart: they meet at 0.6 of their radii.
+    const std::vector<Surface> lens{sphere(up(0), 1, Facing::inward, 0.6, 1),
+                                    sphere(up(1.2), 1, Facing::inward, -1, -0.6)};
+    for (const std::vector<Surface>& room : {capsule, lens}) {
+        for (const Surface& from : room) {
+            double sum = 0;
+            for (const Surface& to : room) {
+                const auto found = coaxial_exchange_area(from, to, {});
+                ASSERT_TRUE(found);
+                sum += found->value;
+            }
+            EXPECT_NEAR(sum, area(from.shape), 1e-12);
+        }
+    }
+    // Between two balls that overlap less than half, something is behind the rim.
+    EXPECT_FALSE(coaxial_exchange_area(sphere(up(0), 1, Facing::inward, -1, 0.6),
+                                       sphere(up(1.2), 1, Facing::inward, -0.6, 1), {}));
+}
+
 TEST(CoaxialExchange, IsTheExchangeOfTheDiscsThatWallsEndIn) {
     // What leaves a disc and reaches a wall beyond it passes through one end of the wall and not through the other.
     const Surface floor = disc(up(0), test::tilted, 0.8);
