@@ -8,11 +8,13 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace ff {
@@ -20,6 +22,7 @@ namespace {
 
 using Eigen::Vector3d;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;  // numbers of its ends
+using LidPlane = Eigen::Hyperplane<double, 3>;
 
 std::vector<ConvexPolygon> triangles_of(const ConvexPolygon& polygon) {
     std::vector<ConvexPolygon> triangles;
@@ -53,6 +56,7 @@ class Finder {
     std::vector<Vector3d> places_;                   ///< places of corners, by number
     std::map<Edge, std::vector<std::uint32_t>> at_edge_;
     std::vector<Eigen::AlignedBox3d> boxes_;
+    std::vector<std::uint32_t> body_;  ///< number of the body that each surface belongs to, once rims are looked for
     StandingBodies result_;
 
     static Edge edge_between(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
@@ -64,6 +68,11 @@ class Finder {
     [[nodiscard]] bool is_level(std::uint32_t surface, const Vector3d& normal, const Vector3d& place) const {
         const Extent reach = heights(surface, normal, place);
         return reach.low >= -gap_ && reach.high <= gap_;
+    }
+    /// Whether no part of a body is behind a plane.
+    [[nodiscard]] bool is_before(const std::vector<std::uint32_t>& body, const Vector3d& normal,
+                                 const Vector3d& place) const {
+        return std::ranges::all_of(body, [&](std::uint32_t part) { return heights(part, normal, place).low >= -gap_; });
     }
     [[nodiscard]] bool rises(std::uint32_t surface, const Vector3d& normal, const Vector3d& place) const {
         const Extent reach = heights(surface, normal, place);
@@ -89,8 +98,12 @@ class Finder {
         std::uint32_t ground = 0;
         ConvexPolygon polygon;
     };
-    /// The surfaces that all of a body's rim lies on and that face the body; empty where it does not stand in this way.
-    [[nodiscard]] std::vector<Cover> covered_by_rim(const ConvexPolygon& rim, const std::vector<std::uint32_t>& body,
+    /// The plane polygons that close a rim: itself, or one in each of the two or three planes of other surfaces in
+    /// which its edges lie, as in a corner of a room. None where it is not understood.
+    [[nodiscard]] std::vector<ConvexPolygon> lids(const ConvexPolygon& rim, const std::vector<std::uint32_t>& body,
+                                                  const BoxTree& tree) const;
+    /// The surfaces that all of a body's lid lies on and that face the body; empty where it does not stand in this way.
+    [[nodiscard]] std::vector<Cover> covered_by_lid(const ConvexPolygon& lid, const std::vector<std::uint32_t>& body,
                                                     const BoxTree& tree) const;
     /// Surfaces that touch at edges have the same number.
     [[nodiscard]] std::vector<std::uint32_t> bodies() const;
@@ -206,45 +219,97 @@ std::vector<std::uint32_t> walk(std::map<std::uint32_t, std::uint32_t>& edges) {
     return rim;
 }
 
-std::vector<Finder::Cover> Finder::covered_by_rim(const ConvexPolygon& rim, const std::vector<std::uint32_t>& body,
+/// The corner that three planes have in common; empty where two of them are parallel.
+std::optional<Vector3d> common_corner(const std::vector<LidPlane>& planes) {
+    if (planes.size() != 3) return std::nullopt;
+    Eigen::Matrix3d normals;
+    Vector3d distances;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        normals.row(i) = planes[static_cast<std::size_t>(i)].normal();
+        distances[i] = -planes[static_cast<std::size_t>(i)].offset();
+    }
+    const auto solver = normals.fullPivLu();
+    return solver.isInvertible() ? std::optional<Vector3d>(solver.solve(distances)) : std::nullopt;
+}
+
+std::vector<ConvexPolygon> Finder::lids(const ConvexPolygon& rim, const std::vector<std::uint32_t>& body,
+                                        const BoxTree& tree) const {
+    const auto lies_in = [&](const LidPlane& plane, const Vector3d& place) { return plane.absDistance(place) <= gap_; };
+    const auto count_in = [&](const LidPlane& plane) {
+        return std::count_if(rim.begin(), rim.end(), [&](const Vector3d& corner) { return lies_in(plane, corner); });
+    };
+    const LidPlane own(twice_area(rim).normalized(), rim.front());
+    if (count_in(own) == std::ssize(rim)) return {rim};
+    std::vector<LidPlane> planes;
+    for (std::size_t k = 0; k < rim.size(); ++k) {
+        const std::array<Vector3d, 2> edge{rim[k], next_corner(rim, k)};
+        const auto has_edge = [&](const LidPlane& plane) { return lies_in(plane, edge[0]) && lies_in(plane, edge[1]); };
+        if (std::any_of(planes.begin(), planes.end(), has_edge)) continue;
+        std::optional<LidPlane> found;
+        tree.within(box_around(edge), gap_, [&](std::uint32_t other) {
+            if (polygons_[other].empty() || body_[other] == body_[body.front()]) return;
+            const LidPlane plane(scene_.surfaces[other].normal, polygons_[other].front());
+            if (has_edge(plane) && count_in(plane) > 2 && is_before(body, plane.normal(), edge[0])) found = plane;
+        });
+        if (!found) return {};
+        planes.push_back(*found);
+    }
+    if (planes.size() > 3) return {};
+    const auto closed_with = [&](const std::optional<Vector3d>& corner) {
+        std::vector<ConvexPolygon> all;
+        Vector3d missing = twice_area(rim);  // as vectors, areas of polygons that close a rim have the sum of its own
+        for (const LidPlane& plane : planes) {
+            ConvexPolygon& lid = all.emplace_back();
+            for (std::size_t k = 0; k < rim.size(); ++k) {
+                if (!lies_in(plane, rim[k])) continue;
+                lid.push_back(rim[k]);
+                if (corner && !lies_in(plane, next_corner(rim, k))) lid.push_back(*corner);
+            }
+            missing -= twice_area(lid);
+        }
+        return missing.norm() <= 4 * gap_ * length_around(rim) ? all : std::vector<ConvexPolygon>();
+    };
+    // In a corner of a room, all lids have the place where the three planes meet, which the rim has not.
+    const auto all = closed_with(std::nullopt);
+    const auto corner = common_corner(planes);
+    return all.empty() && corner ? closed_with(corner) : all;
+}
+
+std::vector<Finder::Cover> Finder::covered_by_lid(const ConvexPolygon& lid, const std::vector<std::uint32_t>& body,
                                                   const BoxTree& tree) const {
-    const Vector3d normal = twice_area(rim).normalized();  // towards a body whose sides face outwards
-    const auto is_off = [&](const Vector3d& corner) { return std::abs(normal.dot(corner - rim.front())) > gap_; };
-    if (std::any_of(rim.begin(), rim.end(), is_off)) return {};
-    const Eigen::AlignedBox3d box = box_around(rim);
-    const auto is_before = [&](std::uint32_t part) { return heights(part, normal, rim.front()).low >= -gap_; };
-    const auto is_above = [&](std::uint32_t part) { return rises(part, normal, rim.front()); };
-    if (!std::all_of(body.begin(), body.end(), is_before) || std::none_of(body.begin(), body.end(), is_above))
-        return {};
+    const Vector3d normal = twice_area(lid).normalized();  // towards a body whose sides face outwards
+    const Eigen::AlignedBox3d box = box_around(lid);
+    const auto is_above = [&](std::uint32_t part) { return rises(part, normal, lid.front()); };
+    if (!is_before(body, normal, lid.front()) || std::none_of(body.begin(), body.end(), is_above)) return {};
     std::vector<Cover> covers;
     double covered = 0;
-    for (const ConvexPolygon& part : convex_parts(rim, normal)) {
+    for (const ConvexPolygon& part : convex_parts(lid, normal)) {
         tree.within(box, gap_, [&](std::uint32_t ground) {
             if (polygons_[ground].empty() || scene_.surfaces[ground].normal.dot(normal) <= 0 ||
-                !is_level(ground, normal, rim.front()))
+                !is_level(ground, normal, lid.front()))
                 return;
             const double common = polygon_area(common_part(polygons_[ground], part, normal));
             if (common > 0) covers.push_back({ground, part});
             covered += common;
         });
     }
-    // The uncovered part is at most what rounding leaves along the rim and between the surfaces beneath it.
+    // The uncovered part is at most what rounding leaves along the lid and between the surfaces beneath it.
     constexpr double rounding = 1e-6;
-    const double missing = std::max(rounding * polygon_area(rim), gap_ * (length_around(rim) + box.diagonal().norm()));
-    return covered >= polygon_area(rim) - missing ? covers : std::vector<Cover>();
+    const double missing = std::max(rounding * polygon_area(lid), gap_ * (length_around(lid) + box.diagonal().norm()));
+    return covered >= polygon_area(lid) - missing ? covers : std::vector<Cover>();
 }
 
 void Finder::find_rims(const BoxTree& tree) {
-    const std::vector<std::uint32_t> body = bodies();
+    body_ = bodies();
     // The beginning and end, for each body, of the edges that only one surface has, in the direction of its outline.
     std::map<std::uint32_t, std::map<std::uint32_t, std::uint32_t>> free_edges;
     std::map<std::uint32_t, std::vector<std::uint32_t>> members;
     for (std::uint32_t i = 0; i < rings_.size(); ++i) {
-        members[body[i]].push_back(i);
+        members[body_[i]].push_back(i);
         for (std::size_t k = 0; k < rings_[i].size(); ++k) {
             const std::uint32_t from = rings_[i][k];
             const std::uint32_t to = next_corner(rings_[i], k);
-            if (at_edge_.at(edge_between(from, to)).size() == 1) free_edges[body[i]].emplace(from, to);
+            if (at_edge_.at(edge_between(from, to)).size() == 1) free_edges[body_[i]].emplace(from, to);
         }
     }
     for (auto& [which, edges] : free_edges) {
@@ -253,9 +318,13 @@ void Finder::find_rims(const BoxTree& tree) {
         while (!edges.empty() && is_closed) {
             ConvexPolygon rim;
             for (const std::uint32_t corner : walk(edges)) rim.push_back(places_[corner]);
-            const auto more = rim.empty() ? std::vector<Cover>() : covered_by_rim(rim, members[which], tree);
-            is_closed = !more.empty();
-            covers.insert(covers.end(), more.begin(), more.end());
+            const auto closing = rim.empty() ? std::vector<ConvexPolygon>() : lids(rim, members[which], tree);
+            is_closed = !closing.empty();
+            for (const ConvexPolygon& lid : closing) {
+                const auto more = covered_by_lid(lid, members[which], tree);
+                is_closed = is_closed && !more.empty();
+                covers.insert(covers.end(), more.begin(), more.end());
+            }
         }
         if (!is_closed) continue;
         for (const Cover& cover : covers) take_away(cover.ground, cover.polygon);

@@ -172,5 +172,57 @@ TEST(StandingBodies, StandOnTilesOfTheirSizeInACorner) {
     EXPECT_NEAR(area_left(scene, found, 2), 3, 1e-12);
 }
 
+/// Floor, two walls and a ceiling of 4 x 4 that meet at (0, 0, 0), and some sides of a body: face 1, to which nothing
+/// else belongs.
+Scene in_a_corner(const std::vector<Surface>& body) {
+    Scene scene;
+    scene.faces = {"room", "body"};
+    scene.surfaces = {side({0, 0, 0}, {4, 0, 0}, {0, 4, 0}, 0), side({0, 0, 0}, {0, 0, 4}, {4, 0, 0}, 0),
+                      side({0, 0, 0}, {0, 4, 0}, {0, 0, 4}, 0), side({0, 0, 4}, {0, 4, 0}, {4, 0, 0}, 0)};
+    scene.surfaces.insert(scene.surfaces.end(), body.begin(), body.end());
+    return scene;
+}
+
+/// A body without the sides of these numbers (see body()).
+std::vector<Surface> without_sides(std::vector<Surface> all, const std::vector<std::size_t>& hidden) {
+    for (auto each = hidden.rbegin(); each != hidden.rend(); ++each)
+        all.erase(all.begin() + static_cast<std::ptrdiff_t>(*each));
+    return all;
+}
+
+TEST(StandingBodies, CoverWallsWhereTheirHiddenSidesAreMissing) {
+    const auto left = [](const std::vector<Surface>& body) {
+        const Scene scene = in_a_corner(body);
+        const auto found = standing_bodies(scene, gap);
+        EXPECT_NEAR(area_left(scene, found, 1), area_left(scene, {}, 1), 1e-12);
+        return area_left(scene, found, 0);
+    };
+    const auto at_the_wall = body({1, 0, 0}, {1, 1, 2}, 1);
+    EXPECT_NEAR(left(without_sides(at_the_wall, {0, 5})), 64 - 2 - 1, 1e-12);
+    const auto in_the_corner = body({0, 0, 0}, {1, 1.5, 2}, 1);
+    EXPECT_NEAR(left(without_sides(in_the_corner, {0, 3, 5})), 64 - 2 - 3 - 1.5, 1e-12);
+    const auto up_to_the_ceiling = body({1, 0, 0}, {1, 1, 4}, 1);
+    EXPECT_NEAR(left(without_sides(up_to_the_ceiling, {0, 4, 5})), 64 - 4 - 2, 1e-12);
+}
+
+TEST(StandingBodies, LeaveWallsAloneBehindOpenBodies) {
+    const auto at_the_wall = body({1, 0, 0}, {1, 1, 2}, 1);
+    EXPECT_FALSE(standing_bodies(in_a_corner(without_sides(at_the_wall, {0, 2, 5})), gap).any()) << "open in front";
+    EXPECT_FALSE(standing_bodies(in_a_corner(without_sides(at_the_wall, {0, 4, 5})), gap).any()) << "open above";
+    const auto hovering = body({1, 1e-9, 0}, {1, 1, 2}, 1);
+    EXPECT_FALSE(standing_bodies(in_a_corner(without_sides(hovering, {0, 5})), gap).any()) << "behind is a gap";
+    const auto too_high = body({1, 0, 0}, {1, 1, 5}, 1);
+    EXPECT_FALSE(standing_bodies(in_a_corner(without_sides(too_high, {0, 5})), gap).any()) << "higher than the wall";
+}
+
+TEST(StandingBodies, CoverTheSideOfAHigherNeighbor) {
+    auto two = body({1, 1, 0}, {1, 1, 2}, 1);
+    for (const Surface& surface : without_sides(body({2, 1, 0}, {1, 1, 1}, 1), {3, 5})) two.push_back(surface);
+    const Scene scene = floor_with(two);
+    const auto found = standing_bodies(scene, gap);
+    EXPECT_NEAR(area_left(scene, found, 0), 14, 1e-12);
+    EXPECT_NEAR(area_left(scene, found, 1), 8 + 1 - 1 + 3 + 1, 1e-12) << "less the side and its bottom";
+}
+
 }  // namespace
 }  // namespace ff
