@@ -95,7 +95,11 @@ def _reach(skewness, side, t, z):
     first_order = t + cautious * (2 * t * t + 1) / 6
     if cautious < 1e-4:
         return first_order
-    hall = (1 - float(numpy.cbrt(1 - cautious * (t + cautious / 6)))) * 3 / cautious
+    argument = cautious * (t + cautious / 6)
+    if argument < 1.125:
+        hall = (1 - float(numpy.cbrt(1 - argument))) * 3 / cautious
+    else:
+        hall = 2 * (t + math.sqrt(t * t + 0.75))
     return max(t, hall, first_order)
 
 

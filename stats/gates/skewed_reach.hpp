@@ -87,7 +87,11 @@ inline double skewed_reach(const MeanSkewness& skewness, int side, double t, dou
     const double first_order = t + cautious * (2 * t * t + 1) / 6;
     // For a skewness of rounding the cubic is a difference of equal numbers.
     if (cautious < 1e-4) return first_order;
-    const double hall = (1 - std::cbrt(1 - cautious * (t + cautious / 6))) * 3 / cautious;
+    // Beyond its turn at 1 the inverse of the cubic rises steeply and falls again. A reach must not fall where skewness
+    // grows or the tail shrinks, so it stays at the height of the summit, about 4 t, which an argument of 9/8 gives.
+    const double argument = cautious * (t + cautious / 6);
+    const double hall =
+        argument < 1.125 ? (1 - std::cbrt(1 - argument)) * 3 / cautious : 2 * (t + std::sqrt(t * t + 0.75));
     return std::max({t, hall, first_order});
 }
 

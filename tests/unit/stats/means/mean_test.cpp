@@ -117,6 +117,26 @@ TEST(MeanTest, HasNoLimitTowardsTheTailOfFewSkewedValues) {
     EXPECT_FALSE(std::isinf(reach(exponential_quantiles(4000), 5e-6).above));
 }
 
+// Or an interval at a higher level would lie within one at a lower level, and a p-value would have no meaning.
+TEST(MeanTest, ReachesFurtherForSmallerTailsAndMoreSkewness) {
+    for (const double error : {0.01, 0.05, 0.2, 0.6}) {
+        for (const double freedom : {4.0, 30.0, 1e6}) {
+            double reached_before = 0;  // with less skewness
+            for (double skewness = -0.5; skewness < 2; skewness += 0.01) {
+                double reached = 0;  // with a larger tail
+                for (double tail = 0.2; tail > 1e-12; tail /= 1.2) {
+                    const double reach = gate::skewed_reach({.value = skewness, .error = error, .insignificant = 3}, 1,
+                                                            student_critical(freedom, tail), normal_critical(tail));
+                    ASSERT_GE(reach, reached * (1 - 1e-12)) << skewness << ' ' << error << ' ' << tail;
+                    reached = reach;
+                }
+                ASSERT_GE(reached, reached_before * (1 - 1e-12)) << skewness << ' ' << error;
+                reached_before = reached;
+            }
+        }
+    }
+}
+
 TEST(MeanTest, HasNoLimitsForVeryFewValues) {
     std::mt19937_64 engine(2);
     const auto found = reach(test::normal_sample(8, engine), 5e-4);
