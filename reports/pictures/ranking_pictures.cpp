@@ -56,6 +56,7 @@ class RankingRows {
                      drawn(row.expected), row.group});
     }
 
+    [[nodiscard]] std::size_t blocks() const { return blocks_; }
     [[nodiscard]] std::size_t rows() const { return rows_; }
     [[nodiscard]] bool full() const { return blocks_ >= most_blocks && blocks_ + rows_ >= most_lines; }
 
@@ -142,6 +143,7 @@ std::vector<Picture> errors_at_sizes(const studies::StudyResults& results, const
     const studies::StudyPlan& plan = findings.plan;
     const auto is_luck = [&](std::size_t cell) { return studies::may_be_luck(plan, plan.cells[cell]); };
     const auto has_no_bar = [&](std::size_t cell) { return plan.cells[cell].deterministic && !is_luck(cell); };
+    const double level = studies::level_of_each_class(findings);
     std::vector<Picture> pictures;
     for (const auto& entry : octaves_of(findings)) {
         const auto& octave = entry.second;
@@ -153,8 +155,8 @@ std::vector<Picture> errors_at_sizes(const studies::StudyResults& results, const
             const std::vector<std::size_t> unranked(luck, cells.end());
             cells.erase(luck, cells.end());
             for (const PairClass pair_class : pair_classes) {
-                const auto ranked = studies::rank_errors(findings, cells, pair_class, plan.spec.level);
-                const auto others = studies::rank_errors(findings, unranked, pair_class, plan.spec.level);
+                const auto ranked = studies::rank_errors(findings, cells, pair_class, level);
+                const auto others = studies::rank_errors(findings, unranked, pair_class, level);
                 if (ranked.size() + others.size() < 2 || rows.full()) continue;
                 rows.heading(heading_of(plan, scene, pair_class));
                 const auto add = [&](const studies::Ranked& each, const std::string& group) {
@@ -174,7 +176,7 @@ std::vector<Picture> errors_at_sizes(const studies::StudyResults& results, const
             {fmt::format("errors-at-{}", octave.usual()),
              fmt::format("Errors at {} evaluations per face, smallest first.", octave.usual()), "RMSE of a run",
              fmt::format("Bars: {:g} % intervals. {}{}{}{}", 100 * plan.spec.level,
-                         letters_in_words(plan.spec.level, " in a block"),
+                         letters_in_words(plan.spec.level, rows.blocks()),
                          if_any(has_no_bar, " Without bars: deterministic methods."),
                          if_any(is_luck,
                                 " Last, without a letter: point sets that are not randomised, whose one error may be "

@@ -49,8 +49,7 @@ MainFinding of_rankings(const StudyResults& results, std::vector<Ranking> rankin
             found.caveats.push_back(ranking.caveat);
     }
     found.rankings = std::move(rankings);
-    found.note = fmt::format("{}{} {}", bars(results), ticks,
-                             letters_in_words(plan.spec.level, found.rankings.size() > 1 ? " in all blocks" : ""));
+    found.note = fmt::format("{}{} {}", bars(results), ticks, letters_in_words(plan.spec.level, found.rankings.size()));
     return found;
 }
 

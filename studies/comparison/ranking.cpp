@@ -171,6 +171,15 @@ double level_of_each(double level, std::size_t rankings) {
     return 1 - (1 - level) / static_cast<double>(std::max<std::size_t>(1, rankings));
 }
 
+double level_of_each_class(const Analysis& findings) {
+    std::set<std::pair<std::size_t, PairClass>> classes;
+    for (const CellAnalysis& found : findings.cells) {
+        for (const ClassError& error : found.class_errors)
+            classes.emplace(findings.plan.cells[found.cell].scene, error.pair_class);
+    }
+    return level_of_each(findings.plan.spec.level, classes.size());
+}
+
 RankedSlopes rank_slopes(std::span<const LadderSlopes> ladders, std::size_t scene, PairClass pair_class, double level) {
     RankedSlopes out;
     const auto for_each = [&](const auto& use) {
@@ -225,7 +234,7 @@ std::vector<Ranked> rank_efforts(const Analysis& findings, std::span<const std::
         measured.push_back(stats::logarithm_of(*error->mean_square, evaluations));
         ranked.push_back({cell, error->rmse * error->rmse * evaluations, std::nullopt, 0, false});
     }
-    put_in_order(ranked, measured, findings.plan.spec.level);
+    put_in_order(ranked, measured, level_of_each_class(findings));
     return ranked;
 }
 
@@ -264,19 +273,15 @@ bool Rivalry::decided() const {
 }
 
 std::vector<Rivalry> find_rivals(const Analysis& findings, const std::vector<TableComparison>& published) {
-    const auto rivals_at = [&](double level) {
-        std::vector<Rivalry> rivals;
-        for (std::size_t scene = 0; scene < findings.plan.scenes.size(); ++scene) {
-            const auto cells = compared_cells(findings, scene, published);
-            for (const PairClass pair_class : pair_classes) {
-                if (const auto rivalry = best_two(findings, scene, pair_class, cells, level))
-                    rivals.push_back(*rivalry);
-            }
+    const double level = level_of_each_class(findings);
+    std::vector<Rivalry> rivals;
+    for (std::size_t scene = 0; scene < findings.plan.scenes.size(); ++scene) {
+        const auto cells = compared_cells(findings, scene, published);
+        for (const PairClass pair_class : pair_classes) {
+            if (const auto rivalry = best_two(findings, scene, pair_class, cells, level)) rivals.push_back(*rivalry);
         }
-        return rivals;
-    };
-    const double level = findings.plan.spec.level;
-    return rivals_at(level_of_each(level, rivals_at(level).size()));
+    }
+    return rivals;
 }
 
 }  // namespace ff::studies

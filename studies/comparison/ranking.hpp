@@ -41,6 +41,9 @@ struct Ranked {
 /// The level of each of several rankings that are to hold together (Bonferroni).
 double level_of_each(double level, std::size_t rankings);
 
+/// The same for rankings of which a study has one for each class of pairs of each scene.
+double level_of_each_class(const Analysis& findings);
+
 /// Slopes on a class of pairs, steepest first: of the RMSE or, where one of them has no variance, of the median error
 /// for all. Where a straight line may not fit, intervals are widened by Slope::misfit. Deterministic methods are left
 /// out.

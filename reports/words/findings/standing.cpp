@@ -78,18 +78,16 @@ std::string slope_and_reach(const Ranked& slope) {
 /// @param rank  fills one in, at a level
 std::vector<Ranking> of_each_class(const StudyResults& results, void (*rank)(const StudyResults&, Ranking&, double)) {
     const studies::StudyPlan& plan = results.findings.plan;
-    const auto ranked_at = [&](double level) {
-        std::vector<Ranking> all;
-        for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
-            for (const PairClass pair_class : pair_classes) {
-                Ranking ranking{heading_of(plan, scene, pair_class), {}, scene, pair_class};
-                rank(results, ranking, level);
-                if (!ranking.methods.empty()) all.push_back(std::move(ranking));
-            }
+    const double level = studies::level_of_each_class(results.findings);
+    std::vector<Ranking> all;
+    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+        for (const PairClass pair_class : pair_classes) {
+            Ranking ranking{heading_of(plan, scene, pair_class), {}, scene, pair_class};
+            rank(results, ranking, level);
+            if (!ranking.methods.empty()) all.push_back(std::move(ranking));
         }
-        return all;
-    };
-    return ranked_at(studies::level_of_each(plan.spec.level, ranked_at(plan.spec.level).size()));
+    }
+    return all;
 }
 
 void rank_rates_of_class(const StudyResults& results, Ranking& ranking, double level) {
@@ -319,16 +317,16 @@ std::string letter(std::span<const Ranked> ranked, const Ranked& one) {
     return groups ? std::string(1, static_cast<char>('a' + std::min<std::size_t>(one.group, 25))) : std::string();
 }
 
-std::string letters_in_words(double level, std::string_view of) {
+std::string letters_in_words(double level, std::size_t blocks) {
     return fmt::format(
         "Methods with the same letter are not shown to differ from the first of them ({:g} % over all pairs of "
         "methods{}). Errors so rare that no trial met them could change this.",
-        100 * (1 - level), of);
+        100 * (1 - level), blocks > 1 ? " in all blocks" : "");
 }
 
 std::string smallest_errors(const studies::Analysis& findings, std::span<const std::size_t> cells,
                             PairClass pair_class) {
-    const auto ranked = studies::rank_errors(findings, cells, pair_class, findings.plan.spec.level);
+    const auto ranked = studies::rank_errors(findings, cells, pair_class, studies::level_of_each_class(findings));
     if (ranked.empty()) return {};
     const Leaders best = leading_sizes(findings.plan, ranked);
     return fmt::format(

@@ -7,7 +7,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace ff::reports {
@@ -65,8 +64,8 @@ RankedMethod ranked_cell(const studies::StudyPlan& plan, const studies::Ranked& 
 
 /// Letter of a group: a for the best; empty where all are in one.
 std::string letter(std::span<const studies::Ranked> ranked, const studies::Ranked& one);
-/// The meaning of the letters. @param of  " in a block", or empty where all blocks hold together
-std::string letters_in_words(double level, std::string_view of);
+/// The meaning of the letters, which hold together in all blocks of a picture.
+std::string letters_in_words(double level, std::size_t blocks);
 
 /// Which of these methods and sizes have the smallest errors; "" where none has a variance.
 std::string smallest_errors(const studies::Analysis& findings, std::span<const std::size_t> cells,
