@@ -8,6 +8,7 @@
 #include "core/support/error.hpp"
 #include "reports/files/output_file.hpp"
 #include "reports/text/numbers.hpp"
+#include "studies/heat/materials.hpp"
 #include "studies/scene_files/formats.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "studies/scene_files/scene_writer.hpp"
@@ -75,7 +76,8 @@ ExitCode convert(const ConvertCommand& command) {
     const SceneFormat& format = format_of(command.out);
     if (command.facets && (*command.facets < 3 || *command.facets > 10000))
         throw UserError("--facets {} (3 to 10000 polygons around a full turn). Try 32.", *command.facets);
-    Scene scene = prepare_form_factors(command.scene).scene;
+    const auto prepared = prepare_form_factors(command.scene);
+    Scene scene = prepared.scene;
     studies::expect_no_masks(scene);
     if (!command.scene.quiet) {
         for (const std::string& note : studies::examine_scene(scene).notes) say("note: {}\n", note);
@@ -95,9 +97,19 @@ ExitCode convert(const ConvertCommand& command) {
                 "or write .toml.",
                 command.out.string(), scene.name, format.extension);
     }
-    if (format.extension == ".vs3" && !command.scene.quiet)
-        say("note: emissivities are not converted; they are 0.5 in {}.\n", command.out.string());
-    reports::write_file(command.out, [&](std::ostream& out) { out << format.text(scene); });
+    std::string text;
+    if (format.extension == ".vs3") {
+        const auto emissivities = studies::heat::said_emissivities(prepared.source, scene.faces.size());
+        const auto unknown = std::count(emissivities.begin(), emissivities.end(), std::nullopt);
+        if (unknown > 0 && !command.scene.quiet)
+            say("note: the scene does not say {}; {} 0.5 in {}.\n",
+                unknown == 1 ? "one emissivity" : fmt::format("{} emissivities", unknown),
+                unknown == 1 ? "it is" : "they are", command.out.string());
+        text = studies::vs3_text(scene, emissivities);
+    } else {
+        text = format.text(scene);
+    }
+    reports::write_file(command.out, [&](std::ostream& out) { out << text; });
     if (!command.scene.quiet)
         print_folded("{}: {} of {}\n", command.out.string(), reports::counted(scene.faces.size(), "face"),
                      reports::counted(scene.surfaces.size(), "surface"));

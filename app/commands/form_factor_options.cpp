@@ -76,7 +76,8 @@ void add_form_factors(ProgramDefinition& program) {
                {.excludes = {"--drop"}});
     sub.option("--out", command.out, "Folder for the matrices (default: none is written)", {.type = "DIR"});
     sub.option("--randomisations", request.randomisations,
-               "Also write the 16 values behind each sampled entry (randomisations.npz)", {.needs = {"--out"}});
+               "Also write the 16 values behind each sampled entry (randomisations.npz)",
+               {.needs = {"--out"}, .excludes = {"--shard"}});
     sub.option("--text", command.text, "matrix.csv and MatrixMarket files also of more than 4096 faces",
                {.needs = {"--out"}});
     sub.option("--format", command.formats,

@@ -92,13 +92,8 @@ class MatrixFiles {
 void hand_on_files(OutputFolder& folder, const studies::form_factors::KeptMatrix& kept,
                    const std::vector<std::string>& formats) {
     if (formats.empty()) return;
-    const auto said = studies::make_scene_with_materials(kept.source).materials;
-    std::vector<std::optional<double>> emissivities;
-    for (std::size_t face = 0; face < said.size(); ++face)
-        emissivities.push_back(studies::heat::said_emissivity(said, face));
-    if (!emissivities.empty())
-        emissivities.resize(kept.scene.faces.size());  // the emissivity of the surroundings is not given
-    const auto handed = reports::hand_on(kept.scene, kept.matrix, std::move(emissivities));
+    const auto handed = reports::hand_on(kept.scene, kept.matrix,
+                                         studies::heat::said_emissivities(kept.source, kept.scene.faces.size()));
     for (const reports::ProgramFile& file : reports::files_of_formats(formats, kept.scene))
         folder.write(std::string(file.name), [&](std::ostream& out) { file.write(out, handed); });
     folder.write("intervals.csv", [&](std::ostream& out) { reports::write_intervals(out, handed); });
@@ -278,6 +273,7 @@ ExitCode merge_form_factors(const MergeCommand& command) {
     kept.request.threads = thread_count(std::nullopt);
     kept.request.finished.assign(kept.scene.faces.size(), true);  // nothing is sampled here
     kept.request.stop = &stop_flag();
+    kept.request.randomisations = command.randomisations;
     as_asked.request = kept.request;
     as_asked.scene = kept.source.title();
     as_asked.seed = kept.request.seed.value;

@@ -46,6 +46,9 @@ std::string units_in_words(const std::vector<std::size_t>& units, std::size_t al
 
 ExitCode merge(const MergeCommand& command) {
     if (rows_of(command.sources.front())) return merge_form_factors(command);
+    if (command.randomisations)
+        throw UserError("--randomisations: {} is no shard of a matrix. Leave it out.",
+                        command.sources.front().string());
     end_on_signals(
         "\nstopped while stores were merged. Those that were given are as they were: run the same command again to "
         "resume.\n");
@@ -81,6 +84,8 @@ void add_merge(ProgramDefinition& program) {
         program.command<MergeCommand>(laboratory, "merge", "Bring the results of shards together", merge);
     sub.option("RESULTS", command.sources, "Folders of the shards, or their results.sqlite", {.is_required = true});
     sub.option("--out", command.out, "Folder for the merged results", {.type = "DIR", .is_required = true});
+    sub.option("--randomisations", command.randomisations,
+               "Of a matrix, also write the 16 values behind each sampled entry (randomisations.npz)");
     add_verbosity(sub, command.quiet);
 }
 

@@ -112,4 +112,23 @@ std::vector<std::array<std::size_t, 3>> clip_ears(const std::vector<Eigen::Vecto
     return triangles;
 }
 
+std::vector<Eigen::Vector3d> without_spikes(std::vector<Eigen::Vector3d> corners) {
+    constexpr double rounding = 1e-9;
+    for (std::size_t k = 0; k < corners.size() && corners.size() > 3;) {
+        const std::size_t before = (k + corners.size() - 1) % corners.size();
+        const Eigen::Vector3d here = corners[k] - corners[before];
+        const Eigen::Vector3d onwards = next_corner(corners, k) - corners[k];
+        if (here.dot(onwards) < 0 && here.cross(onwards).norm() <= rounding * here.norm() * onwards.norm()) {
+            // Where the outline comes back to the same place, one of both goes.
+            const bool is_same = next_corner(corners, k) == corners[before];
+            corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(k));
+            if (is_same) corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(before > k ? before - 1 : before));
+            k = 0;
+        } else {
+            ++k;
+        }
+    }
+    return corners;
+}
+
 }  // namespace ff

@@ -14,4 +14,8 @@ namespace ff {
 /// those that have no area; none where edges of the polygon cross each other
 std::vector<std::array<std::size_t, 3>> clip_ears(const std::vector<Eigen::Vector3d>& corners);
 
+/// An outline without the corners at which it turns back along itself: nothing lies between there and back. At least
+/// three corners are left.
+std::vector<Eigen::Vector3d> without_spikes(std::vector<Eigen::Vector3d> corners);
+
 }  // namespace ff

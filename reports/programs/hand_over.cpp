@@ -139,7 +139,7 @@ void expect_moose(const Scene& scene) {
 void write_moose(std::ostream& out, const HandedOn& handed) {
     const auto& known = handed.emissivities;
     const bool has_emissivities =
-        !known.empty() && std::all_of(known.begin(), known.end(), [](const auto& one) { return one.has_value(); });
+        std::all_of(known.begin(), known.end(), [](const auto& one) { return one.has_value(); });
     out << fmt::format(
         "# Form factors of {}, by ffstudy. The temperature{} to be added.\n"
         "[UserObjects]\n"

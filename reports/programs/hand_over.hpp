@@ -15,7 +15,7 @@ struct HandedOn {
     const Scene& scene;
     const studies::form_factors::Matrix& matrix;
     studies::form_factors::Matrix::Sparse factors;    ///< repaired where requested and possible, otherwise estimates
-    std::vector<std::optional<double>> emissivities;  ///< given by the scene file; empty: none
+    std::vector<std::optional<double>> emissivities;  ///< of all faces, as far as the scene file gives them
 };
 
 HandedOn hand_on(const Scene& scene, const studies::form_factors::Matrix& matrix,

@@ -4,6 +4,7 @@
 #include "core/support/nearest_name.hpp"
 #include "studies/readers/toml_reader.hpp"
 #include "studies/scene_files/scene_file.hpp"
+#include "studies/scene_files/scene_with_materials.hpp"
 
 #include <fmt/format.h>
 
@@ -221,6 +222,13 @@ void expect_used(const std::vector<Entry>& entries, const NamedFaces& faces, std
 std::optional<double> said_emissivity(const std::vector<FaceMaterial>& said, std::size_t face) {
     if (face >= said.size() || said[face].emissivities.size() != 1) return std::nullopt;
     return said[face].emissivities.front();
+}
+
+std::vector<std::optional<double>> said_emissivities(const SceneSource& source, std::size_t faces) {
+    const std::vector<FaceMaterial> said = make_scene_with_materials(source).materials;
+    std::vector<std::optional<double>> all(faces);
+    for (std::size_t face = 0; face < faces; ++face) all[face] = said_emissivity(said, face);
+    return all;
 }
 
 namespace {

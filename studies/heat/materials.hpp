@@ -51,6 +51,9 @@ struct NamedFaces {
 /// The emissivity that a scene file gives a face, if it is unique.
 std::optional<double> said_emissivity(const std::vector<FaceMaterial>& said, std::size_t face);
 
+/// The same for all of the first faces of a scene.
+std::vector<std::optional<double>> said_emissivities(const SceneSource& source, std::size_t faces);
+
 /// Reads a materials file (docs/heat.md): `[materials]` has a name or a pattern with * for each entry. A face's own
 /// name takes precedence over its material in the scene file, and that over patterns. Omitted emissivities are taken
 /// from the scene file. Each `[[case]]` changes some of these entries.

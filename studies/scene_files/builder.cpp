@@ -9,6 +9,7 @@
 #include "core/visibility/level_overlaps.hpp"
 #include "studies/readers/printable.hpp"
 #include "studies/scene_files/coordinate_rounding.hpp"
+#include "studies/scene_files/identity.hpp"
 #include "studies/scene_files/orientation.hpp"
 #include "studies/scene_files/scene_with_materials.hpp"
 
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -31,85 +31,31 @@ using Eigen::Vector3d;
 
 constexpr double most_bend = 1e-6;  // how far corners may be off the plane of a polygon, relative to its size
 constexpr double parallelogram_gap = 1e-12;
+/// Smallest area of a surface, relative to the square of its size: rounding alone leaves less.
+constexpr double least_share_of_area = 1e-12;
 constexpr std::array<std::string_view, 3> labels_of_sums{"all", "sum", "sum_re"};
 constexpr double largest_length = 1e30;  // squares of areas are numbers, in single precision lengths too
 
-/// The numbers that define a surface, 13 whatever its shape; for a polygon, independent of its first corner.
-std::vector<double> numbers_of(const Surface& surface) {
-    std::vector<double> list{static_cast<double>(surface.shape.index())};
-    const auto put = [&](const Vector3d& v) { list.insert(list.end(), {v.x(), v.y(), v.z()}); };
-    std::vector<Vector3d> polygon = corners(surface.shape);
-    std::sort(polygon.begin(), polygon.end(), [](const Vector3d& a, const Vector3d& b) {
-        return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
-    });
-    for (const Vector3d& corner : polygon) put(corner);
-    if (const auto* disc = std::get_if<Disc>(&surface.shape)) {
-        put(disc->centre);
-        put(surface.normal);
-        list.insert(list.end(), {disc->inner_radius, disc->outer_radius});
-    } else if (const auto* wall = std::get_if<Frustum>(&surface.shape)) {
-        put(wall->base);
-        put(wall->axis);
-        list.insert(list.end(), {wall->base_radius, wall->top_radius, static_cast<double>(wall->facing)});
-    } else if (const auto* zone = std::get_if<SphereZone>(&surface.shape)) {
-        put(zone->centre);
-        put(zone->axis);
-        list.insert(list.end(), {zone->radius, zone->low, zone->high, static_cast<double>(zone->facing)});
-    }
-    for (double& number : list) number += 0.0;  // -0 is 0
-    list.resize(13);
-    return list;
-}
-
-constexpr std::uint64_t empty_hash = 0xcbf29ce484222325ULL;
-
-/// FNV-1a over 64-bit words.
-void mix(std::uint64_t& hash, std::uint64_t word) {
-    for (int byte = 0; byte < 8; ++byte) {
-        hash ^= word >> (8 * byte) & 0xff;
-        hash *= 0x100000001b3ULL;
-    }
-}
-
-std::uint64_t fingerprint(const Surface& surface) {
-    std::uint64_t hash = empty_hash;
-    for (const double number : numbers_of(surface)) mix(hash, std::bit_cast<std::uint64_t>(number));
-    return hash;
-}
-
-/// The identity of a scene: its surfaces, independent of the order of their corners.
-std::string canonical_of(const Scene& scene) {
-    std::uint64_t content = empty_hash;
-    mix(content, scene.closed ? 1 : 0);
-    for (const Surface& surface : scene.surfaces) {
-        mix(content, fingerprint(surface));
-        mix(content, static_cast<std::uint64_t>(surface.face));
-        for (const double component : surface.normal) mix(content, std::bit_cast<std::uint64_t>(component + 0.0));
-        // Scenes without grids keep the identity that they had before there were grids.
-        if (surface.grid == undivided) continue;
-        mix(content, surface.grid.columns);
-        mix(content, surface.grid.rows);
-    }
-    return fmt::format("scene {:016x}", content);
+/// The largest distance of a corner from the first.
+double size_from_first(const std::vector<Vector3d>& corners) {
+    double size = 0;
+    for (const Vector3d& corner : corners) size = std::max(size, (corner - corners[0]).norm());
+    return size;
 }
 
 /// The messages for one polygon, and for several.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 5> words_of_changes{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> words_of_changes{{
     {"has no area and is left out", "have no area and are left out"},
     {"is a copy of another and is left out", "are copies of others and are left out"},
     {"is not plane and is divided into triangles", "are not plane and are divided into triangles"},
     {"is not convex and is divided into triangles", "are not convex and are divided into triangles"},
     {"is wound in the opposite direction to the rest of its face and is turned round",
      "are wound in the opposite direction to the rest of their faces and are turned round"},
+    {"has an outline that runs back along itself, and is read without that spike",
+     "have outlines that run back along themselves, and are read without these spikes"},
 }};
 
 }  // namespace
-
-double size_from_first(const std::vector<Vector3d>& corners) {
-    double size = 0;
-    for (const Vector3d& corner : corners) size = std::max(size, (corner - corners[0]).norm());
-    return size;
-}
 
 int SceneBuilder::face(const std::string& label, std::uint64_t line) {
     if (const auto known = faces_.find(label); known != faces_.end()) return known->second;
@@ -189,14 +135,23 @@ bool SceneBuilder::has_area(const std::vector<Vector3d>& corners, std::uint64_t 
     const double size = size_from_first(corners);
     // Surfaces that are too large to decide are refused later.
     if (size > largest_length || twice_area(corners).norm() > least_share_of_area * size * size) return true;
+    const Vector3d farthest = *std::ranges::max_element(
+        corners, {}, [&](const Vector3d& corner) { return (corner - corners[0]).squaredNorm(); });
+    const auto is_off = [&](const Vector3d& corner) {
+        return distance(corner, corners[0], farthest) > most_bend * size;
+    };
+    if (without_spikes(corners).size() > 3 && std::ranges::any_of(corners, is_off))
+        fail(line, "edges of a polygon cross each other (its parts cancel out). Divide it into triangles.");
     note(PolygonChange::no_area, line);
     return false;
 }
 
-void SceneBuilder::add_polygon(const std::vector<Vector3d>& corners, int face, std::uint64_t line) {
+void SceneBuilder::add_polygon(const std::vector<Vector3d>& outline, int face, std::uint64_t line) {
+    const std::vector<Vector3d> corners = without_spikes(outline);
+    if (corners.size() < outline.size()) note(PolygonChange::spiked, line);
     const std::size_t n = corners.size();
     const double size = size_from_first(corners);
-    for (const Vector3d& corner : corners) note(corner);
+    for (const Vector3d& corner : outline) note(corner);
     if (size > largest_length) {
         fail(line, "{} reaches beyond {:g}. Use another unit of length.", owner(face), largest_length);
     }

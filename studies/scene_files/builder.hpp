@@ -20,14 +20,8 @@
 
 namespace ff::studies {
 
-/// Least area of a surface relative to its squared extent.
-inline constexpr double least_share_of_area = 1e-12;
-
-/// Why a polygon cannot be used as it is, but is left out, divided or turned round.
-enum class PolygonChange { no_area, twice, bent, concave, turned };
-
-/// The largest distance of a corner from the first.
-double size_from_first(const std::vector<Eigen::Vector3d>& corners);
+/// Why a polygon cannot be used as it is, but is left out, divided, turned round or shortened.
+enum class PolygonChange { no_area, twice, bent, concave, turned, spiked };
 
 /// Collects the surfaces of a scene file, and rejects unusable ones by file and line.
 class SceneBuilder {
@@ -50,10 +44,12 @@ class SceneBuilder {
     void add(Surface surface, std::uint64_t line);
 
     /// Whether a polygon has an area. Where it has none, a remark is added, and the polygon is to be left out.
+    /// @throws UserError where its edges cross each other, so that the areas of its parts cancel out
     [[nodiscard]] bool has_area(const std::vector<Eigen::Vector3d>& corners, std::uint64_t line);
 
     /// A polygon of three or more corners, counter-clockwise from its radiating side: a parallelogram where it is one,
-    /// otherwise triangles. A remark is added where it is not plane to 1e-6 of its size, or not convex.
+    /// otherwise triangles. A remark is added where it is not plane to 1e-6 of its size, not convex, or runs
+    /// back along itself.
     /// @pre it has an area @throws UserError where its edges cross each other, or it is too large
     void add_polygon(const std::vector<Eigen::Vector3d>& corners, int face, std::uint64_t line);
 
@@ -94,7 +90,7 @@ class SceneBuilder {
     std::unordered_map<std::string, int> faces_;         ///< faces by their names in the file
     std::unordered_set<std::string> names_;              ///< names that faces and masks have in the scene
     std::vector<std::uint64_t> lines_;                   ///< one per surface
-    std::array<std::vector<std::uint64_t>, 5> changes_;  ///< lines of the polygons, by what was done with them
+    std::array<std::vector<std::uint64_t>, 6> changes_;  ///< lines of the polygons, by what was done with them
     bool has_windings_ = true;                           ///< every surface is a polygon whose corners tell its side
     std::unordered_set<double> coordinates_;  ///< different ones, without signs and 0; of a large file, the first
 };

@@ -80,10 +80,7 @@ class ObjWriter {
         text_ += polygons;
     }
 
-    /// Writes corners and the polygon; nothing where it has no area, since nothing leaves it or arrives there.
     std::string polygon(const std::vector<Vector3d>& corners) {
-        const double size = size_from_first(corners);
-        if (!(twice_area(corners).norm() > 2 * least_share_of_area * size * size)) return {};
         std::string text;
         std::string polygon = "f";
         for (const Vector3d& corner : corners) {

@@ -105,6 +105,10 @@ std::string obj_text(const Scene& scene) {
 }
 
 std::string vs3_text(const Scene& scene) {
+    return vs3_text(scene, std::vector<std::optional<double>>(scene.faces.size()));
+}
+
+std::string vs3_text(const Scene& scene, const std::vector<std::optional<double>>& emissivities) {
     std::string text = fmt::format("T {}\nC encl={}\nF 3\n", scene.name, scene.closed ? 1 : 0);
     std::string surfaces;
     std::vector<std::size_t> first(scene.faces.size());  // surface of a face; 0: none so far
@@ -123,8 +127,8 @@ std::string vs3_text(const Scene& scene) {
             return;
         }
         const auto face = static_cast<std::size_t>(surface.face);
-        surfaces +=
-            fmt::format("S {} {} 0 {} 0.5 {}\n", number, fmt::join(indices, " "), first[face], scene.faces[face]);
+        surfaces += fmt::format("S {} {} 0 {} {} {}\n", number, fmt::join(indices, " "), first[face],
+                                emissivities[face].value_or(0.5), scene.faces[face]);
         if (first[face] == 0) first[face] = number;
     });
     return text + surfaces + "End of data\n";

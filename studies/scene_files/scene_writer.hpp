@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ bool is_of_polygons(const Scene& scene);
 /// the format has none. Numbers have all their digits. @pre no mirrors; of OBJ and .vs3, is_of_polygons
 std::string obj_text(const Scene& scene);
 std::string vs3_text(const Scene& scene);
+/// @param emissivities  one for each face, where it is known: View3D wants one of each surface, and the others get 0.5
+std::string vs3_text(const Scene& scene, const std::vector<std::optional<double>>& emissivities);
 std::string toml_scene_text(const Scene& scene);
 
 }  // namespace ff::studies

@@ -95,6 +95,7 @@ bool compute_form_factors(const FormFactorsCommand& command, studies::form_facto
 struct MergeCommand {
     std::vector<std::filesystem::path> sources;  ///< folders or stores
     std::filesystem::path out;
+    bool randomisations = false;  ///< see studies::form_factors::Request
     bool quiet = false;
 };
 

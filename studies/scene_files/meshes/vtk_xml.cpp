@@ -4,14 +4,13 @@
 #include "studies/scene_files/meshes/formats.hpp"
 #include "studies/scene_files/meshes/mesh_input.hpp"
 #include "studies/scene_files/meshes/vtk_cells.hpp"
+#include "studies/scene_files/meshes/vtk_packing.hpp"
 
 #include <fmt/format.h>
-#include <zlib.h>
 #include <pugixml.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,123 +26,6 @@ constexpr std::string_view appended_tag = "<AppendedData";
 
 std::optional<NumberType> xml_type(std::string_view name) {
     return number_type_named(name, &NumberTypeNames::vtk_xml);
-}
-
-/// How a file of VTK's XML packs the bytes of its arrays.
-struct Packing {
-    Encoding encoding = Encoding::little_endian;
-    NumberType header{NumberType::Kind::natural, 4};
-    bool is_compressed = false;  ///< compressed by zlib, in blocks
-};
-
-enum class ByteForm { raw, base64 };
-
-template <class... Values>
-[[noreturn]] void refuse(const std::string& place, fmt::format_string<Values...> problem, Values&&... values) {
-    throw UserError("{}: {}", place, fmt::format(problem, std::forward<Values>(values)...));
-}
-
-/// Bytes of an array, from front to back.
-class EncodedBytes {
-  public:
-    EncodedBytes(const std::string& place, std::string_view text, ByteForm form)
-        : place_(place), text_(text), form_(form) {}
-
-    [[nodiscard]] const std::string& place() const { return place_; }
-
-    /// The next bytes. @throws UserError where there are fewer, before storage is taken for them
-    std::string take(std::uint64_t count) {
-        const std::size_t most = form_ == ByteForm::raw ? text_.size() : decoded_.size() + text_.size();
-        if (count > most)
-            refuse(
-                place_,
-                "{} bytes are announced, and {} follow (the file was cut off, or the number is wrong). Write it again.",
-                count, most);
-        std::string bytes;
-        if (form_ == ByteForm::raw) {
-            bytes = text_.substr(0, count);
-            text_.remove_prefix(count);
-            return bytes;
-        }
-        while (decoded_.size() < count) decode_group();
-        bytes = decoded_.substr(0, count);
-        decoded_.erase(0, count);
-        return bytes;
-    }
-
-  private:
-    const std::string& place_;
-    std::string_view text_;
-    ByteForm form_;
-    std::string decoded_;  ///< the bytes of the last group of base64 that were not taken yet
-
-    void decode_group() {
-        constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-        std::uint32_t bits = 0;
-        int count = 0;
-        int padding = 0;
-        while (count < 4) {
-            if (text_.empty()) refuse(place_, "its bytes end early (the file was cut off). Write it again.");
-            const char c = text_.front();
-            text_.remove_prefix(1);
-            if (std::isspace(static_cast<unsigned char>(c)) != 0) continue;
-            const std::size_t digit = c == '=' ? 0 : digits.find(c);
-            if (digit == std::string_view::npos || (padding > 0 && c != '=') || (c == '=' && count < 2))
-                refuse(place_, "a character that is not base64 (damaged). Write it again.");
-            padding += c == '=' ? 1 : 0;
-            bits = bits << 6 | static_cast<std::uint32_t>(digit);
-            ++count;
-        }
-        for (int byte = 0; byte < 3 - padding; ++byte)
-            decoded_ += static_cast<char>(static_cast<unsigned char>(bits >> (16 - 8 * byte) & 0xff));
-    }
-};
-
-std::uint64_t next_of_header(EncodedBytes& bytes, const Packing& packing) {
-    const std::string number = bytes.take(packing.header.bytes);
-    return static_cast<std::uint64_t>(MeshInput::part(bytes.place(), number, packing.encoding).whole(packing.header));
-}
-
-std::string inflate_block(const std::string& packed, std::uint64_t size, const std::string& place) {
-    constexpr std::uint64_t most_expansion = 1032;  // what deflate can do: https://zlib.net/zlib_tech.html
-    if (size / most_expansion > packed.size())
-        refuse(place, "a block of {} bytes is said to have {} (more than zlib can pack into it). Write it again.",
-               packed.size(), size);
-    std::string block(size, '\0');
-    uLongf length = size;
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of zlib are unsigned
-    const auto* const source = reinterpret_cast<const Bytef*>(packed.data());
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the same
-    const int status = uncompress(reinterpret_cast<Bytef*>(block.data()), &length, source, packed.size());
-    if (status != Z_OK || length != size)
-        refuse(place,
-               "a compressed block cannot be unpacked to its {} bytes (damaged). Write it again, or uncompressed.",
-               size);
-    return block;
-}
-
-std::string unpack_blocks(EncodedBytes& bytes, const Packing& packing) {
-    const auto next = [&] { return next_of_header(bytes, packing); };
-    const std::uint64_t blocks = next();
-    if (blocks == 0) return {};
-    const std::uint64_t size = next();
-    const std::uint64_t last_size = next();
-    std::vector<std::uint64_t> packed_sizes;
-    for (std::uint64_t i = 0; i < blocks; ++i) packed_sizes.push_back(next());
-    std::string all;
-    for (std::uint64_t i = 0; i < blocks; ++i) {
-        const bool is_partial = i + 1 == blocks && last_size != 0;
-        all += inflate_block(bytes.take(packed_sizes[i]), is_partial ? last_size : size, bytes.place());
-    }
-    return all;
-}
-
-/// The bytes of an array, behind the header that tells how many there are.
-/// @param place  names file and array in messages  @throws UserError where they are fewer, or damaged
-std::string unpack(const std::string& place, std::string_view text, ByteForm form, const Packing& packing) {
-    EncodedBytes bytes(place, text, form);
-    if (packing.is_compressed) return unpack_blocks(bytes, packing);
-    return bytes.take(next_of_header(bytes, packing));
 }
 
 class XmlReader {
@@ -226,9 +108,9 @@ class XmlReader {
         return array;
     }
 
-    /// Calls read(input) with the numbers of an array, and checks that it leaves none.
+    /// Calls read(input) with the values of an array, and checks that it leaves none.
     template <class Read>
-    auto with_numbers(pugi::xml_node array, Read read) const {
+    auto with_values(pugi::xml_node array, Read read) const {
         const std::string place = fmt::format("{}: array '{}'", file_, excerpt(array.attribute("Name").value()));
         const std::string_view format = array.attribute("format").as_string("ascii");
         std::string bytes;
@@ -248,10 +130,10 @@ class XmlReader {
             refuse(place, "format '{}' (ascii, binary and appended are known). Correct it.", excerpt(format));
         }
         auto input = MeshInput::part(place, bytes, format == "ascii" ? Encoding::text : packing_.encoding);
-        auto numbers = read(input);
+        auto values = read(input);
         if (!(format == "ascii" ? input.at_end() : input.left() == 0))
-            input.fail("it has more than the {} numbers that belong there. Correct it.", numbers.size());
-        return numbers;
+            input.fail("it has more than the {} values that belong there. Correct it.", values.size());
+        return values;
     }
 
     [[nodiscard]] NumberType type_of(pugi::xml_node array) const {
@@ -265,7 +147,7 @@ class XmlReader {
 
     [[nodiscard]] std::vector<std::int64_t> wholes(pugi::xml_node array, std::uint64_t size) const {
         const NumberType type = type_of(array);
-        return with_numbers(array, [&](MeshInput& input) { return input.wholes(type, size, 1); });
+        return with_values(array, [&](MeshInput& input) { return input.wholes(type, size, 1); });
     }
 
     /// @return how many there are
@@ -278,7 +160,7 @@ class XmlReader {
             refuse(file_, "points of {} coordinates (three are read). Write it again.",
                    array.attribute("NumberOfComponents").as_int());
         const NumberType type = type_of(array);
-        const auto values = with_numbers(array, [&](MeshInput& input) { return input.reals(type, points, 3); });
+        const auto values = with_values(array, [&](MeshInput& input) { return input.reals(type, points, 3); });
         for (std::size_t i = 0; i < values.size(); i += 3) mesh_.add_point({values[i], values[i + 1], values[i + 2]});
         return points;
     }
@@ -294,14 +176,32 @@ class XmlReader {
 
     [[nodiscard]] VtkArrays read_arrays(pugi::xml_node piece, std::uint64_t cells) const {
         VtkArrays arrays;
-        // Texts stand in an Array instead of a DataArray, and are not read.
         for (const pugi::xml_node array : piece.child("CellData").children()) {
             const std::string name = array.attribute("Name").value();
+            const std::string_view type = array.attribute("type").value();
             const std::uint64_t components = array.attribute("NumberOfComponents").as_uint(1);
-            arrays.add(name, xml_type(array.attribute("type").value()), components,
-                       [&] { return wholes(array, cells); });
+            if (type == "String" && components == 1)
+                arrays.usable.push_back({name, {}, texts(array, cells)});
+            else
+                arrays.add(name, xml_type(type), components, [&] { return wholes(array, cells); });
         }
         return arrays;
+    }
+
+    /// Texts of an array, each of which ends with a byte of 0. Where a file has text instead of bytes, it has the
+    /// numbers of these bytes.
+    [[nodiscard]] std::vector<std::string> texts(pugi::xml_node array, std::uint64_t number) const {
+        return with_values(array, [&](MeshInput& input) {
+            input.expect_room(number, 1, 1);
+            std::vector<std::string> all;
+            while (all.size() < number) {
+                std::string text;
+                while (const std::int64_t byte = input.whole({NumberType::Kind::natural, 1}))
+                    text += static_cast<char>(byte);
+                all.push_back(as_word(text));
+            }
+            return all;
+        });
     }
 
     [[nodiscard]] VtkCells read_grid(pugi::xml_node piece) const {

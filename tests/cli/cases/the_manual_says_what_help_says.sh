@@ -32,11 +32,11 @@ expect_in "$folder/commands" "$folder/pages" ffstudy.1
 while read -r command; do
     ffstudy "$command" --help
     ! grep -Ew TEXT "$folder/stdout" || fail "expected every value to have a name"
-    grep -oE '^  (-[a-zA-Z],)?--[a-z-]+' "$folder/stdout" | grep -oE -e '--.*' >"$folder/options"
+    grep -oE '^  (-[a-zA-Z],)?--[a-z,-]+' "$folder/stdout" | grep -oE -e '--[a-z-]+' >"$folder/options"
     sed -nE '/^Positionals:/,/^$/s/^  ([A-Z]+).*/\1/p' "$folder/stdout" >"$folder/arguments"
     offered "$command" --
     expect_offered_are "$folder/options"
-    sed -nE 's/^\.BR "(-[a-zA-Z],)?(--)?([a-zA-Z-]+)".*/\2\3/p' "manual/ffstudy-$command.1" >"$folder/described"
+    sed -nE 's/^\.BR "(-[a-zA-Z],)?([a-zA-Z,-]+)".*/\2/p' "manual/ffstudy-$command.1" | tr , '\n' >"$folder/described"
     cat "$folder/options" "$folder/arguments" >"$folder/wanted"
     expect_in "$folder/wanted" "$folder/described" "ffstudy-$command.1"
 done <"$folder/commands"

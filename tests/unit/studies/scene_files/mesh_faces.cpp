@@ -148,12 +148,16 @@ TEST(VtkFaces, AreDistinguishedByAnArrayThatAllPiecesHave) {
     EXPECT_THAT(scene.remarks, ElementsAre(HasSubstr("array 'part' tells its faces apart")));
 }
 
-TEST(VtkFaces, AreNotDistinguishedByTextsInXml) {
-    const std::string names = "<Array type=\"String\" Name=\"wall\" format=\"ascii\">102 0</Array>";
-    const Scene scene = xml_scene(grid_of(piece(0, names) + piece(1, names)));
-    EXPECT_THAT(scene.faces, ElementsAre("mesh"));
-    EXPECT_THAT(scene.remarks,
-                ElementsAre("no array of whole numbers or texts tells its faces apart; 'wall' is not used"));
+TEST(VtkFaces, AreNamedByTextsInXml) {
+    const auto named = [](const std::string& bytes) {
+        return "<Array type=\"String\" Name=\"wall\" format=\"ascii\">" + bytes + "</Array>";
+    };
+    const std::string floor = named("102 108 111 111 114 0");
+    const Scene scene = xml_scene(grid_of(piece(0, floor) + piece(1, named("116 111 112 0"))));
+    EXPECT_THAT(scene.faces, ElementsAre("floor", "top"));
+    EXPECT_THAT(xml_scene(grid_of(piece(0, floor) + piece(1, floor))).faces, ElementsAre("floor"));
+    for (const std::string bytes : {"102 108", "102 0 103 0", "102 x 0"})
+        EXPECT_THROW(xml_scene(grid_of(piece(0, floor) + piece(1, named(bytes)))), UserError) << bytes;
 }
 
 TEST(VtkFaces, LeaveOutDuplicateCellsInXml) {

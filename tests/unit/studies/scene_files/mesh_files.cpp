@@ -149,7 +149,7 @@ TEST(BrokenMeshFiles, AreRefusedWithTheReason) {
         {"room.vtu", "ascii", "NumberOfPoints=\"8\"", "NumberOfPoints=\"18446744073709551615\"",
          "room.vtu: array 'Points': 18446744073709551615 x 3 numbers are announced"},
         {"room.vtu", "ascii", "NumberOfCells=\"8\"", "NumberOfCells=\"-8\"", "NumberOfCells is '-8'"},
-        {"room.vtu", "ascii", "NumberOfCells=\"8\"", "NumberOfCells=\"7\"", "it has more than the 7 numbers"},
+        {"room.vtu", "ascii", "NumberOfCells=\"8\"", "NumberOfCells=\"7\"", "it has more than the 7 values"},
         {"room.vtu", "ascii", "</Cells>", "</Cell>", "room.vtu:22: no sound XML"},
         {"room.vtu", "ascii", "Name=\"types\"", "Name=\"kinds\"", "Cells has no array 'types'"},
         {"room.vtu", "ascii", "type=\"Float64\"", "type=\"Float80\"", "array 'Points' is of type 'Float80'"},

@@ -1,4 +1,3 @@
-// Files from practice: what other programs write, as far as it can be understood in one way only.
 #include "core/geometry/surface_map.hpp"
 #include "core/support/error.hpp"
 #include "studies/form_factors/form_factors.hpp"
@@ -12,6 +11,7 @@
 #include <numbers>
 #include <string>
 
+// Files from practice: what other programs write, as far as it can be understood in one way only.
 namespace ff::studies {
 namespace {
 
@@ -93,6 +93,12 @@ TEST(RealObjFiles, HaveSliversAndDuplicatesWhichAreLeftOut) {
     EXPECT_EQ(scene.surfaces.size(), 1u);
     EXPECT_THAT(scene.remarks, ElementsAre("2 polygons have no area and are left out (lines 13, 14)",
                                            "a polygon is a copy of another and is left out (line 12)"));
+}
+
+TEST(RealObjFiles, HaveSpikesAndSlitsWhichAreCutOff) {
+    for (const std::string polygon : {"1 2 3 9 10 9 4", "10 9 4 1 2 3 9", "1 2 3 9 11 9 4", "1 2 3 9 10 11 9 4"}) {
+        EXPECT_NEAR(face_area(read_cube("v 0.5 1 0\nv 0.5 2 0\nv 0.5 0.5 0\nf " + polygon + "\n"), 0), 1, 1e-12);
+    }
 }
 
 TEST(RealObjFiles, HaveConcaveAndTwistedPolygonsWhichAreDivided) {

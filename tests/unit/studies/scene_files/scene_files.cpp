@@ -208,6 +208,7 @@ TEST(SceneFiles, AreRefusedByFileAndLine) {
     const std::vector<Broken> all{
         {"a.obj", obj + "g a\nf 1 2 2\n", "a.obj: ", "no face"},
         {"a.obj", obj + "g a\nf 1 3 6 2\n", "a.obj:8: ", "cross each other"},
+        {"a.obj", obj + "g a\nf 1 3 2 4\n", "a.obj:8: ", "cancel out"},
         {"a.obj", obj + "g a\nf 1 2 9\n", "a.obj:8: ", "vertex 9"},
         {"a.obj", obj + "v 1 0 1\ng a\nf 1 2 -9\n", "a.obj:9: ", "corner 3 is vertex -9 (the file has 7)"},
         {"a.obj", obj + "v nan 0 0\n", "a.obj:7: ", "three finite coordinates"},
