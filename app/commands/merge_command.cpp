@@ -45,10 +45,16 @@ std::string units_in_words(const std::vector<std::size_t>& units, std::size_t al
 }
 
 ExitCode merge(const MergeCommand& command) {
-    if (rows_of(command.sources.front())) return merge_form_factors(command);
+    const std::filesystem::path& first = command.sources.front();
+    const bool are_of_matrix = rows_of(first).has_value();
+    for (const auto& source : command.sources) {
+        if (rows_of(source).has_value() != are_of_matrix && std::filesystem::exists(source))
+            throw UserError("{} is a shard of a matrix, and {} is not. Merge what belongs together.",
+                            (are_of_matrix ? first : source).string(), (are_of_matrix ? source : first).string());
+    }
+    if (are_of_matrix) return merge_form_factors(command);
     if (command.randomisations)
-        throw UserError("--randomisations: {} is no shard of a matrix. Leave it out.",
-                        command.sources.front().string());
+        throw UserError("--randomisations: {} is no shard of a matrix. Leave it out.", first.string());
     end_on_signals(
         "\nstopped while stores were merged. Those that were given are as they were: run the same command again to "
         "resume.\n");

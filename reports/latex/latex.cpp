@@ -5,6 +5,7 @@
 #include "reports/templates/mustache.hpp"
 #include "reports/text/folding.hpp"
 #include "reports/text/json_values.hpp"
+#include "reports/text/labels.hpp"
 
 #include <fmt/format.h>
 
@@ -232,8 +233,12 @@ std::vector<Table> tables_of(const studies::StudyResults& results) {
             tables.push_back(published_table(published, i, 1 - results.findings.plan.spec.level));
         if (!published.claims.empty()) tables.push_back(claims_table(published));
     }
-    for (std::size_t cell = 0; cell < results.findings.cells.size(); ++cell)
-        tables.push_back(pairs_table(results, cell));
+    const studies::StudyPlan& plan = results.findings.plan;
+    for (std::size_t i = 0; i < results.findings.cells.size(); ++i) {
+        tables.push_back(pairs_table(results, i));
+        const studies::Cell& cell = plan.cells[results.findings.cells[i].cell];
+        tables.back().id += fmt::format("-{}", cell_label(plan, cell));  // for the name of the file
+    }
     return tables;
 }
 

@@ -21,7 +21,7 @@ expect_same_matrix() {
     done
 }
 
-ffstudy form-factors "${options[@]}" --out whole
+ffstudy form-factors "${options[@]}" --randomisations --out whole
 expect_status 0
 [ ! -e whole/rows.sqlite ] || fail "expected the rows to be gone when the matrix is whole"
 
@@ -34,10 +34,15 @@ done
 ffstudy merge part3 part1/rows.sqlite --out merged
 expect_status 4
 expect_stderr "rows of the matrix are missing. Merge again with the shards that hold them"
-ffstudy merge part3 part1/rows.sqlite part2 part1 --out merged
+ffstudy merge part3 part1/rows.sqlite part2 part1 --randomisations --out merged
 expect_status 0
 expect_no_stderr
 expect_same_matrix whole merged
+expect_equal_files whole/randomisations.npz merged/randomisations.npz
+rm whole/randomisations.npz
+ffstudy form-factors "${options[@]}" --shard 1/3 --randomisations --out other
+expect_status 2
+expect_stderr "--shard excludes --randomisations"
 
 # Shards that follow each other in one folder are a whole run.
 for i in 2 3 1; do ffstudy form-factors "${options[@]}" --shard $i/3 --out together; done
