@@ -199,10 +199,16 @@ TEST(StandingBodies, CoverWallsWhereTheirHiddenSidesAreMissing) {
     };
     const auto at_the_wall = body({1, 0, 0}, {1, 1, 2}, 1);
     EXPECT_NEAR(left(without_sides(at_the_wall, {0, 5})), 64 - 2 - 1, 1e-12);
+    // With a bottom, which the floor then covers.
+    const Scene scene = in_a_corner(without_sides(at_the_wall, {0}));
+    EXPECT_NEAR(area_left(scene, standing_bodies(scene, gap), 0), 64 - 2 - 1, 1e-12);
+    EXPECT_NEAR(area_left(scene, standing_bodies(scene, gap), 1), 2 + 2 + 2 + 1, 1e-12);
     const auto in_the_corner = body({0, 0, 0}, {1, 1.5, 2}, 1);
     EXPECT_NEAR(left(without_sides(in_the_corner, {0, 3, 5})), 64 - 2 - 3 - 1.5, 1e-12);
     const auto up_to_the_ceiling = body({1, 0, 0}, {1, 1, 4}, 1);
     EXPECT_NEAR(left(without_sides(up_to_the_ceiling, {0, 4, 5})), 64 - 4 - 2, 1e-12);
+    const auto column = body({0, 0, 0}, {1, 1, 4}, 1);
+    EXPECT_NEAR(left(without_sides(column, {0, 3, 4, 5})), 64 - 4 - 4 - 2, 1e-12);
 }
 
 TEST(StandingBodies, LeaveWallsAloneBehindOpenBodies) {
@@ -215,6 +221,14 @@ TEST(StandingBodies, LeaveWallsAloneBehindOpenBodies) {
     EXPECT_FALSE(standing_bodies(in_a_corner(without_sides(too_high, {0, 5})), gap).any()) << "higher than the wall";
 }
 
+// The neighbor's side continues the plane of the body's own, beside the corner that both touch.
+TEST(StandingBodies, CoverWallsBesideANeighborInLine) {
+    auto two = without_sides(body({0, 0, 0}, {1, 2, 1}, 1), {0, 3, 5});
+    for (const Surface& surface : body({1, 2, 0}, {1, 1, 2}, 1)) two.push_back(surface);
+    const Scene scene = in_a_corner(two);
+    EXPECT_NEAR(area_left(scene, standing_bodies(scene, gap), 0), 64 - 2 - 1 - 2 - 1, 1e-12);
+}
+
 TEST(StandingBodies, CoverTheSideOfAHigherNeighbor) {
     auto two = body({1, 1, 0}, {1, 1, 2}, 1);
     for (const Surface& surface : without_sides(body({2, 1, 0}, {1, 1, 1}, 1), {3, 5})) two.push_back(surface);
@@ -222,6 +236,28 @@ TEST(StandingBodies, CoverTheSideOfAHigherNeighbor) {
     const auto found = standing_bodies(scene, gap);
     EXPECT_NEAR(area_left(scene, found, 0), 14, 1e-12);
     EXPECT_NEAR(area_left(scene, found, 1), 8 + 1 - 1 + 3 + 1, 1e-12) << "less the side and its bottom";
+}
+
+// Without bottoms: a wall against a wall, an edge at an edge, and one body on another of the same size.
+TEST(StandingBodies, TouchEachOther) {
+    for (const Vector3d& at : {Vector3d(2, 1, 0), Vector3d(2, 2, 0), Vector3d(1, 1, 1)}) {
+        for (const double depth : {1.0, 0.5}) {
+            auto two = without_sides(body({1, 1, 0}, {1, 1, 1}, 1), {5});
+            for (const Surface& surface : without_sides(body(at, {1, depth, 1}, 1), {5})) two.push_back(surface);
+            const Scene scene = floor_with(two);
+            const auto found = standing_bodies(scene, gap);
+            const double on_floor = at.z() == 0 ? 1 + depth : 1;
+            const double contact = at == Vector3d(2, 1, 0) ? 2 * depth : at.z() > 0 ? depth : 0;
+            EXPECT_NEAR(area_left(scene, found, 0), 16 - on_floor, 1e-12) << at.transpose() << ", depth " << depth;
+            EXPECT_NEAR(area_left(scene, found, 1), 5 + 2 + 3 * depth - contact, 1e-12) << at.transpose();
+        }
+    }
+}
+
+TEST(StandingBodies, ReachFromWallToWall) {
+    Scene scene = in_a_corner(without_sides(body({0, 0, 0}, {4, 1, 1}, 1), {0, 1, 3, 5}));
+    scene.surfaces.push_back(side({4, 0, 0}, {0, 0, 4}, {0, 4, 0}, 0));
+    EXPECT_NEAR(area_left(scene, standing_bodies(scene, gap), 0), 80 - 4 - 4 - 2, 1e-12);
 }
 
 }  // namespace
