@@ -102,9 +102,9 @@ ExitCode convert(const ConvertCommand& command) {
         const auto emissivities = studies::heat::said_emissivities(prepared.source, scene.faces.size());
         const auto unknown = std::count(emissivities.begin(), emissivities.end(), std::nullopt);
         if (unknown > 0 && !command.scene.quiet)
-            say("note: the scene does not say {}; {} 0.5 in {}.\n",
-                unknown == 1 ? "one emissivity" : fmt::format("{} emissivities", unknown),
-                unknown == 1 ? "it is" : "they are", command.out.string());
+            say("note: {} not one emissivity in the scene and {} 0.5 in {}.\n",
+                unknown == 1 ? "1 face has" : fmt::format("{} faces have", unknown), unknown == 1 ? "gets" : "get",
+                command.out.string());
         text = studies::vs3_text(scene, emissivities);
     } else {
         text = format.text(scene);

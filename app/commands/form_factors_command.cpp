@@ -291,8 +291,11 @@ ExitCode merge_form_factors(const MergeCommand& command) {
     for (const auto& source : command.sources) rows.take(rows_of(source).value_or(source));
     if (compute_form_factors(as_asked, kept)) return ExitCode::interrupted;
     if (kept.matrix.left_out > 0) {
-        say("{} of the matrix are missing. Merge again with the shards that hold them, or sample them: {} --out {}\n",
-            reports::counted(kept.matrix.left_out, "row"), in_words(as_asked), command.out.string());
+        const std::size_t missing = kept.matrix.left_out;
+        say("{} of the matrix {} missing. Merge again with the shards that hold {}, or run the command of the shards "
+            "without --shard and with --out {}.\n",
+            reports::counted(missing, "row"), missing == 1 ? "is" : "are", missing == 1 ? "it" : "them",
+            command.out.string());
         return ExitCode::inconclusive;
     }
     rows.remove();

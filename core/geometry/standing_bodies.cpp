@@ -93,11 +93,16 @@ class Finder {
     [[nodiscard]] bool is_bottom_on(std::uint32_t bottom, std::uint32_t ground) const;
     void find_bottoms(const BoxTree& tree);
     void find_rims(const BoxTree& tree);
-    /// A convex part of a rim, and a surface that it lies on.
+    /// A convex part of a lid, and a surface that it lies on.
     struct Cover {
         std::uint32_t ground = 0;
         ConvexPolygon polygon;
+        double area = 0;  ///< of the common part
     };
+    using Members = std::map<std::uint32_t, std::vector<std::uint32_t>>;  ///< surfaces of bodies
+    /// Whether all surfaces that bound a body together are covered: walls of a room that face the wrong way would be a
+    /// body that fills the room.
+    [[nodiscard]] bool covers_all_of_a_body(const std::vector<Cover>& covers, const Members& members) const;
     /// The plane polygons that close a rim: itself, or one in each of the two or three planes of other surfaces in
     /// which its edges lie, as in a corner of a room. None where it is not understood.
     [[nodiscard]] std::vector<ConvexPolygon> lids(const SideRim& around, const std::vector<std::uint32_t>& body,
@@ -243,7 +248,7 @@ std::vector<Finder::Cover> Finder::covered_by_lid(const ConvexPolygon& lid, cons
                 !is_level(ground, normal, lid.front()))
                 return;
             const double common = polygon_area(common_part(outlines_.polygon(ground), part, normal));
-            if (common > 0) covers.push_back({ground, part});
+            if (common > 0) covers.push_back({ground, part, common});
             covered += common;
         });
     }
@@ -253,10 +258,21 @@ std::vector<Finder::Cover> Finder::covered_by_lid(const ConvexPolygon& lid, cons
     return covered >= polygon_area(lid) - missing ? covers : std::vector<Cover>();
 }
 
+bool Finder::covers_all_of_a_body(const std::vector<Cover>& covers, const Members& members) const {
+    std::map<std::uint32_t, double> covered;
+    for (const Cover& cover : covers) covered[body_[cover.ground]] += cover.area;
+    return std::ranges::any_of(covered, [&](const auto& body) {
+        double whole = 0;
+        for (const std::uint32_t side : members.at(body.first)) whole += polygon_area(outlines_.polygon(side));
+        constexpr double rounding = 1e-6;
+        return body.second >= (1 - rounding) * whole;
+    });
+}
+
 void Finder::find_rims(const BoxTree& tree) {
     body_ = outlines_.bodies();
     std::map<std::uint32_t, SideEdges> free_edges;
-    std::map<std::uint32_t, std::vector<std::uint32_t>> members;
+    Members members;
     for (std::uint32_t i = 0; i < outlines_.size(); ++i) {
         members[body_[i]].push_back(i);
         for (std::size_t k = 0; k < outlines_.ring(i).size(); ++k) {
@@ -278,7 +294,7 @@ void Finder::find_rims(const BoxTree& tree) {
                 covers.insert(covers.end(), more.begin(), more.end());
             }
         }
-        if (!is_closed) continue;
+        if (!is_closed || covers_all_of_a_body(covers, members)) continue;
         is_closed_.insert(which);
         for (const Cover& cover : covers) take_away(cover.ground, cover.polygon);
     }

@@ -179,7 +179,8 @@ void SceneBuilder::add_polygon(const std::vector<Vector3d>& outline, int face, s
         for (std::size_t i = 1; i + 1 < n; ++i) triangles.push_back({0, i, i + 1});
     } else {
         triangles = clip_ears(corners);
-        if (triangles.empty()) fail(line, "edges of {} cross each other. Divide it into triangles.", owner(face));
+        if (triangles.empty())
+            fail(line, "edges of {} cross or touch each other. Divide it into triangles.", owner(face));
         note(is_convex ? PolygonChange::bent : PolygonChange::concave, line);
     }
     for (const auto& [a, b, c] : triangles) {

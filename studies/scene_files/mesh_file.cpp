@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,6 +40,8 @@ class ObjWriter {
     const aiScene& scene_;
     std::string text_;
     std::size_t vertices_ = 0;
+    std::map<std::pair<const aiNode*, std::string>, std::string> groups_;  ///< by node and name
+    std::map<std::string, const aiNode*> owners_;                          ///< of groups
 
     void add(const aiNode& node, const Eigen::Affine3d& parent) {
         Eigen::Matrix4d own;
@@ -52,11 +55,17 @@ class ObjWriter {
         for (unsigned i = 0; i < node.mNumChildren; ++i) add(*node.mChildren[i], place);
     }
 
-    /// The node's name; that of the mesh where the node has none but the library's.
-    [[nodiscard]] std::string group_of(const aiNode& node, const aiMesh& mesh) const {
+    /// The node's name; that of the mesh where the node has none but the library's. Names need not be different, and
+    /// those of further nodes get a number.
+    [[nodiscard]] std::string group_of(const aiNode& node, const aiMesh& mesh) {
         std::string name = meshes::as_word(node.mName.C_Str());
         if (name.empty() || &node == scene_.mRootNode) name = meshes::as_word(mesh.mName.C_Str());
-        return name.empty() ? std::string(meshes::unnamed_group) : name;
+        if (name.empty()) return std::string(meshes::unnamed_group);
+        std::string& group = groups_[{&node, name}];
+        if (group.empty()) group = name;
+        for (int number = 2; owners_.try_emplace(group, &node).first->second != &node; ++number)
+            group = fmt::format("{}.{}", name, number);
+        return group;
     }
 
     void add(const aiNode& node, const aiMesh& mesh, const Eigen::Affine3d& place) {

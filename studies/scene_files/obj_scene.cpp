@@ -180,17 +180,18 @@ class ObjReader {
         return different.size();
     }
 
-    /// Where nothing says what a face is, it is whatever distinguishes polygons: groups, or else materials.
+    /// Where nothing says what a face is, it is whatever distinguishes polygons: groups, or else objects or materials.
     void choose_faces() {
         if (!faces_.empty()) return;
         faces_ = "group";
+        if (count(&Owners::group) > 1) return;
+        const std::size_t objects = count(&Owners::object);
         const std::size_t materials = count(&Owners::material);
-        if (count(&Owners::group) > 1 || materials < 2) return;
-        faces_ = "material";
+        if (std::max(objects, materials) < 2) return;
+        faces_ = objects > 1 ? "object" : "material";
         builder_.remark(
-            "its faces are its {} materials, since all polygons are of one group (with --faces group they are one "
-            "face)",
-            materials);
+            "its faces are its {} {}s, since all polygons are of one group (with --faces group they are one face)",
+            objects > 1 ? objects : materials, faces_);
     }
 
     [[nodiscard]] std::string label_of(const Polygon& polygon) {

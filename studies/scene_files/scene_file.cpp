@@ -139,8 +139,8 @@ Scene make_scene(const SceneSource& source) {
 void expect_no_masks(const Scene& scene) {
     if (scene.masks.empty()) return;
     throw UserError(
-        "scene '{}': '{}' masks a part of '{}' (only ffstudy form-factors takes masks). Write it as a null "
-        "surface (N).",
+        "scene '{}': '{}' masks a part of '{}' (only the matrix of ffstudy form-factors allows for masks). Leave it "
+        "out.",
         scene.name, scene.masks.front().name, scene.masks.front().base);
 }
 

@@ -170,7 +170,7 @@ class Vs3Reader {
         if (surface.kind != 'O') {
             if (words.size() > next) surface.base = number(line, words, next);
             if (words.size() > next + 1) surface.combined = number(line, words, next + 1);
-            if (words.size() > next + 2) surface.emissivity = finite_number(words[next + 2]);
+            if (words.size() > next + 2) surface.emissivity = emissivity(line, words, next + 2);
             if (words.size() > next + 3)
                 surface.name = fmt::format(
                     "{}", fmt::join(words.begin() + static_cast<std::ptrdiff_t>(next) + 3, words.end(), " "));
@@ -181,6 +181,14 @@ class Vs3Reader {
                           surface.number);
         if (surface.base != 0) parts_[surface.base].push_back(surfaces_.size());
         surfaces_.push_back(std::move(surface));
+    }
+
+    double emissivity(std::uint64_t line, const LineWords& words, std::size_t at) const {
+        const auto value = finite_number(words[at]);
+        if (!value || *value < 0 || *value > 1)
+            builder_.fail(line, "field {} is {} (expected an emissivity, from 0 to 1). Write it there.", at + 1,
+                          word_at(words, at));
+        return *value;
     }
 
     void read_numbers(std::uint64_t line, const LineWords& words) {

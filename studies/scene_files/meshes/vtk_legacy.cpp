@@ -238,7 +238,12 @@ class LegacyReader {
         if (in_capitals(type_name) == "STRING") {
             in_.expect_room(tuples, components, 1);
             std::vector<std::string> texts;
-            for (std::uint64_t i = 0; i < tuples * components; ++i) texts.push_back(as_word(text()));
+            for (std::uint64_t i = 0; i < tuples * components; ++i) {
+                if (in_.left() == 0)
+                    in_.fail("{} texts are announced, and {} follow (the file was cut off). Write it again.",
+                             tuples * components, i);
+                texts.push_back(as_word(text()));
+            }
             if (is_of_cells && components == 1) arrays_.usable.push_back({name, {}, std::move(texts)});
             return;
         }

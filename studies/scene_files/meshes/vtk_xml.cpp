@@ -196,8 +196,10 @@ class XmlReader {
             std::vector<std::string> all;
             while (all.size() < number) {
                 std::string text;
-                while (const std::int64_t byte = input.whole({NumberType::Kind::natural, 1}))
+                while (const std::int64_t byte = input.whole({NumberType::Kind::natural, 1})) {
+                    if (byte > 255) input.fail("{} is no byte of a text. Correct it.", byte);
                     text += static_cast<char>(byte);
+                }
                 all.push_back(as_word(text));
             }
             return all;

@@ -22,7 +22,7 @@ refuse a.obj "no face" <<<"$square
 v 2 0 0
 g flat
 f 1 2 5"
-refuse a.obj "a.obj:7: edges of a surface of face 'crossed' cross each other" <<<"$square
+refuse a.obj "a.obj:7: edges of a surface of face 'crossed' cross or touch each other" <<<"$square
 v 0.2 0.7 0
 g crossed
 f 1 3 5 2"

@@ -207,7 +207,7 @@ TEST(SceneFiles, AreRefusedByFileAndLine) {
     const std::string shape = "shape = 'disc'\nradius = 1\ncentre = [0, 0, 0]\nnormal = [0, 0, 1]\n";
     const std::vector<Broken> all{
         {"a.obj", obj + "g a\nf 1 2 2\n", "a.obj: ", "no face"},
-        {"a.obj", obj + "g a\nf 1 3 6 2\n", "a.obj:8: ", "cross each other"},
+        {"a.obj", obj + "g a\nf 1 3 6 2\n", "a.obj:8: ", "cross or touch each other"},
         {"a.obj", obj + "g a\nf 1 3 2 4\n", "a.obj:8: ", "cancel out"},
         {"a.obj", obj + "g a\nf 1 2 9\n", "a.obj:8: ", "vertex 9"},
         {"a.obj", obj + "v 1 0 1\ng a\nf 1 2 -9\n", "a.obj:9: ", "corner 3 is vertex -9 (the file has 7)"},
