@@ -20,7 +20,7 @@ namespace ff::app {
 void add_options_of_scenes(CommandDefinition& sub, FormFactorsCommand& command) {
     sub.option("--faces", command.faces,
                "What a face of an OBJ file or a mesh is: group, object, material or polygon (default: groups, or "
-               "else materials)",
+               "else objects or materials)",
                {.type = "FACES", .choices = {studies::obj_faces.begin(), studies::obj_faces.end()}});
     sub.option("--closed", command.closed, "Treat an OBJ file or a mesh as closed: every ray hits something");
     sub.option("--zone", command.zone, "Zone or space of an EnergyPlus file (default: its only zone)",

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <regex>
@@ -45,7 +46,12 @@ TEST(HtmlReport, HasNoNanOrInfinity) {
     for (const auto* results : {&test::small_results(), &test::published_results()}) {
         std::string text = html_report(*results, shipped_templates());
         text.erase(text.find(runtime), runtime.size());
-        EXPECT_FALSE(std::regex_search(text, std::regex(">[^<]*\\b(nan|inf)\\b")));
+        // Outside of tags. A pattern for that would call itself once for each character, and use up the stack.
+        const std::regex words("\\b(nan|inf)\\b");
+        for (std::sregex_iterator word(text.begin(), text.end(), words); word != std::sregex_iterator(); ++word) {
+            const auto at = static_cast<std::size_t>(word->position());
+            EXPECT_EQ(text[text.find_last_of("<>", at)], '<') << text.substr(at - std::min<std::size_t>(at, 60), 80);
+        }
     }
 }
 

@@ -219,6 +219,7 @@ TEST(MeshFiles, HaveGroupsByTextInVtk) {
                              "3 0 2 1\nCELL_DATA 2\nFIELD FieldData 2\nwall_names 1 2 string\nbig%20house\nsky\n"
                              "part 1 2 int\n1 2\n";
     EXPECT_THAT(texts_of(text), AllOf(HasSubstr("g big_house\n"), HasSubstr("g sky\n")));
+    EXPECT_THROW(texts_of(text.substr(0, text.find("sky"))), UserError) << "cut off before a text";
     const auto binary = [](std::initializer_list<int> bytes) { return std::string(bytes.begin(), bytes.end()); };
     const std::string long_name(100, 'x');  // whose length takes two bytes
     const std::string start = head + "BINARY\nDATASET POLYDATA\nPOINTS 3 float\n" + std::string(12, '\0') +

@@ -18,7 +18,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
 constexpr const char* cube_vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
 
 Scene read_real(const std::string& name, const std::string& text) {
@@ -62,6 +61,7 @@ TEST(RealObjFiles, HaveFacesByGroupObjectOrMaterial) {
     EXPECT_THAT(scene.faces, ElementsAre("wood", "stone"));
     EXPECT_THAT(scene.remarks, ElementsAre(HasSubstr("its faces are its 2 materials")));
     EXPECT_THAT(read_cube(of_materials + "# faces group\n").faces, ElementsAre("room"));
+    EXPECT_THAT(read_cube("o a\ng x\nf 1 2 3 4\no b\ng x\nf 5 8 7 6\n").faces, ElementsAre("a", "b"));
     const std::string of_objects = "o low\ng a\nf 1 2 3 4\no high\ng b\nf 5 8 7 6\ng c\nf 1 5 6 2\n";
     EXPECT_THAT(read_cube(of_objects).faces, ElementsAre("a", "b", "c"));
     EXPECT_THAT(read_cube(of_objects + "# faces object\n").faces, ElementsAre("low", "high"));

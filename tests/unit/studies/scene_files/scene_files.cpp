@@ -222,6 +222,8 @@ TEST(SceneFiles, AreRefusedByFileAndLine) {
         {"a.toml", "[[surface]]\nface = \"a\\nb\"\n" + shape, "a.toml:1:", "would break tables"},
         {"a.obj", obj + "v 1e200 0 0\ng a\nf 1 2 7\n", "a.obj:9: ", "reaches beyond"},
         {"a.vs3", vs3 + "S 1 1 2 7 0\n", "a.vs3:5: ", "vertex 7 is not defined"},
+        {"a.vs3", vs3 + "S 1 1 2 3 0 0 0 floor\n", "a.vs3:5: ", "field 9 is 'floor' (expected an emissivity"},
+        {"a.vs3", vs3 + "S 1 1 2 3 0 0 0 1.1 floor\n", "a.vs3:5: ", "field 9 is '1.1' (expected an emissivity"},
         {"a.vs3", vs3 + "V 3 0 0 0\n", "a.vs3:5: ", "twice"},
         {"a.vs3", vs3 + "S 1 1 2 3 0 4 0 0.9 a\n", "a.vs3:5: ", "lies on surface 4, which does not come before"},
         {"a.vs3", vs3 + "N 1 1 2 3 0 0 0 0.9 a\n", "a.vs3:5: ", "has no base"},

@@ -56,6 +56,18 @@ TEST(SceneWriter, WritesPolygonsInBothFormatsOfPolygons) {
 }
 
 // Many programs do not read the relative indices of OBJ files.
+TEST(SceneWriter, WritesEmissivitiesThatAreKnown) {
+    Scene scene;
+    scene.faces = {"floor", "roof"};
+    for (const int face : {0, 1}) {
+        const double height = face;
+        scene.surfaces.push_back({Triangle{{0, 0, height}, {1, 0, height}, {1, 1, height}}, {0, 0, 1}, face});
+    }
+    const std::string text = vs3_text(scene, {0.9, std::nullopt});
+    EXPECT_NE(text.find(" 0.9 floor\n"), std::string::npos) << text;
+    EXPECT_NE(text.find(" 0.5 roof\n"), std::string::npos) << text;
+}
+
 TEST(SceneWriter, CountsTheCornersOfPolygonsFromOne) {
     const std::string text = obj_text(built_in_scene("cube"));
     EXPECT_EQ(text.find("f -"), std::string::npos);
