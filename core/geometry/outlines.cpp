@@ -44,31 +44,38 @@ bool Outlines::runs(std::uint32_t surface, std::uint32_t from, std::uint32_t to)
 
 std::optional<std::uint32_t> Outlines::partner_at(std::uint32_t a, std::uint32_t b, std::uint32_t surface) const {
     const Edge edge = edge_between(a, b);
-    constexpr double whole_turn = 2 * std::numbers::pi;
+    return partner_among(at_edge_.at(edge), edge, surface);
+}
+
+std::optional<std::uint32_t> Outlines::partner_among(const std::vector<std::uint32_t>& at_edge, const Edge& edge,
+                                                     std::uint32_t surface) const {
+    if (at_edge.size() < 2) return std::nullopt;
     constexpr double rounding = 1e-6;
     const Vector3d along = (places_[edge.second] - places_[edge.first]).normalized();
-    const Vector3d x = along.unitOrthogonal();
-    const Vector3d y = along.cross(x);
-    const auto is_forward = [&](std::uint32_t of) { return runs(of, edge.first, edge.second); };
-    // The direction from the edge into a surface, whose back is towards smaller angles if it runs forward.
-    const auto angle_of = [&](std::uint32_t of) {
-        const Vector3d inwards = scene_.surfaces[of].normal.cross(along) * (is_forward(of) ? 1 : -1);
-        return std::atan2(y.dot(inwards), x.dot(inwards));
+    // The back of a surface that runs forward is towards smaller angles around the edge.
+    const auto is_forward = [&](std::uint32_t side) { return runs(side, edge.first, edge.second); };
+    const auto inwards = [&](std::uint32_t side) -> Vector3d {
+        return scene_.surfaces[side].normal.cross(along) * (is_forward(side) ? 1 : -1);
     };
-    const double direction = is_forward(surface) ? -1 : 1;
-    double nearest = 2 * whole_turn;
+    const bool goes_forward = is_forward(surface);
+    const Vector3d x = inwards(surface);
+    const Vector3d y = along.cross(x) * (goes_forward ? -1 : 1);
+    constexpr double whole_turn = 2 * std::numbers::pi;
+    double nearest = whole_turn;
     std::optional<std::uint32_t> partner;
-    for (const std::uint32_t other : at_edge_.at(edge)) {
-        if (other == surface) continue;
-        double angle = std::fmod(direction * (angle_of(other) - angle_of(surface)) + 2 * whole_turn, whole_turn);
-        if (angle < rounding || angle > whole_turn - rounding) angle = whole_turn;
-        const bool is_back = is_forward(other) != is_forward(surface);
-        if (angle > nearest + rounding || (angle > nearest - rounding && !is_back)) continue;
-        nearest = angle;
+    for (const std::uint32_t other : at_edge) {
+        const Vector3d into = inwards(other);
+        // One in the same place faces it, or is its back in a plate: neither bounds a body with it here.
+        if (other == surface || (into - x).norm() < rounding) continue;
+        const bool is_back = is_forward(other) != goes_forward;
+        if (at_edge.size() == 2) return is_back ? std::optional(other) : std::nullopt;
+        const double angle = std::atan2(into.dot(y), into.dot(x));
+        const double turn = angle < 0 ? angle + whole_turn : angle;
+        if (turn > nearest + rounding || (turn > nearest - rounding && !is_back)) continue;
+        nearest = turn;
         partner = is_back ? std::optional(other) : std::nullopt;
     }
-    // Another one in the same place faces it, or is its back in a plate: neither bounds a body with it here.
-    return nearest < whole_turn ? partner : std::nullopt;
+    return partner;
 }
 
 std::vector<std::uint32_t> Outlines::bodies() const {
@@ -80,7 +87,7 @@ std::vector<std::uint32_t> Outlines::bodies() const {
     };
     for (const auto& [edge, surfaces] : at_edge_) {
         for (const std::uint32_t side : surfaces) {
-            if (const auto partner = partner_at(edge.first, edge.second, side)) body[root(side)] = root(*partner);
+            if (const auto partner = partner_among(surfaces, edge, side)) body[root(side)] = root(*partner);
         }
     }
     for (std::uint32_t i = 0; i < body.size(); ++i) body[i] = root(i);

@@ -45,6 +45,8 @@ class Outlines {
     std::vector<Eigen::Vector3d> places_;
     std::map<Edge, std::vector<std::uint32_t>> at_edge_;
 
+    [[nodiscard]] std::optional<std::uint32_t> partner_among(const std::vector<std::uint32_t>& at_edge,
+                                                             const Edge& edge, std::uint32_t surface) const;
     static Edge edge_between(std::uint32_t a, std::uint32_t b) { return {std::min(a, b), std::max(a, b)}; }
 };
 

@@ -28,9 +28,10 @@ struct FreeEdge {
     std::uint32_t end = 0;   ///< number of the corner at its end
     std::uint32_t side = 0;  ///< the surface
 };
-using SideEdges = std::map<std::uint32_t, FreeEdge>;  ///< by the numbers of their beginnings
-using SideRim =
-    std::vector<std::pair<std::uint32_t, std::uint32_t>>;  ///< corners in order, each with the side behind it
+/// Free edges of a body, by the numbers of their beginnings.
+using FreeEdges = std::map<std::uint32_t, FreeEdge>;
+/// Corners in order around an opening, each with the side whose edge begins there.
+using Opening = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 std::vector<ConvexPolygon> triangles_of(const ConvexPolygon& polygon) {
     std::vector<ConvexPolygon> triangles;
@@ -86,7 +87,7 @@ class Finder {
     /// Whether another surface at an edge is the back of this one, as in a plate with two sides.
     [[nodiscard]] bool has_back(std::uint32_t surface, const std::vector<std::uint32_t>& at_edge) const;
     /// Whether all sides at a rim have backs there, as in a shell with two sides, which encloses what it stands on.
-    [[nodiscard]] bool is_of_plates(const SideRim& rim) const;
+    [[nodiscard]] bool is_of_plates(const Opening& rim) const;
     /// Whether the body of a bottom rises at all of its edges, but those between parts of the bottom, and those against
     /// a wall. Where each of its sides has a back, and the ground ends there too, bottom and ground are a plate of a
     /// shell with two sides.
@@ -103,9 +104,9 @@ class Finder {
     /// Whether all surfaces that bound a body together are covered: walls of a room that face the wrong way would be a
     /// body that fills the room.
     [[nodiscard]] bool covers_all_of_a_body(const std::vector<Cover>& covers, const Members& members) const;
-    /// The plane polygons that close a rim: itself, or one in each of the two or three planes of other surfaces in
-    /// which its edges lie, as in a corner of a room. None where it is not understood.
-    [[nodiscard]] std::vector<ConvexPolygon> lids(const SideRim& around, const std::vector<std::uint32_t>& body,
+    /// The plane polygons that close a rim: itself, or one in each plane of other surfaces in which its edges lie, as
+    /// in a corner of a room. None where it is not understood.
+    [[nodiscard]] std::vector<ConvexPolygon> lids(const Opening& around, const std::vector<std::uint32_t>& body,
                                                   const BoxTree& tree) const;
     /// The surfaces that all of a body's lid lies on and that face the body; empty where it does not stand in this way.
     [[nodiscard]] std::vector<Cover> covered_by_lid(const ConvexPolygon& lid, const std::vector<std::uint32_t>& body,
@@ -132,7 +133,7 @@ bool Finder::has_back(std::uint32_t surface, const std::vector<std::uint32_t>& a
     });
 }
 
-bool Finder::is_of_plates(const SideRim& rim) const {
+bool Finder::is_of_plates(const Opening& rim) const {
     for (std::size_t k = 0; k < rim.size(); ++k) {
         if (!has_back(rim[k].second, outlines_.at_edge(rim[k].first, next_corner(rim, k).first))) return false;
     }
@@ -186,8 +187,8 @@ void Finder::find_bottoms(const BoxTree& tree) {
 }
 
 /// A closed walk along free edges, which are removed; empty where one of them is a dead end.
-SideRim walk(SideEdges& edges) {
-    SideRim rim;
+Opening walk(FreeEdges& edges) {
+    Opening rim;
     const std::uint32_t first = edges.begin()->first;
     std::uint32_t at = first;
     do {
@@ -200,7 +201,7 @@ SideRim walk(SideEdges& edges) {
     return rim;
 }
 
-std::vector<ConvexPolygon> Finder::lids(const SideRim& around, const std::vector<std::uint32_t>& body,
+std::vector<ConvexPolygon> Finder::lids(const Opening& around, const std::vector<std::uint32_t>& body,
                                         const BoxTree& tree) const {
     ConvexPolygon rim;
     for (const auto& [corner, side] : around) rim.push_back(outlines_.place(corner));
@@ -271,7 +272,7 @@ bool Finder::covers_all_of_a_body(const std::vector<Cover>& covers, const Member
 
 void Finder::find_rims(const BoxTree& tree) {
     body_ = outlines_.bodies();
-    std::map<std::uint32_t, SideEdges> free_edges;
+    std::map<std::uint32_t, FreeEdges> free_edges;
     Members members;
     for (std::uint32_t i = 0; i < outlines_.size(); ++i) {
         members[body_[i]].push_back(i);
@@ -285,7 +286,7 @@ void Finder::find_rims(const BoxTree& tree) {
         std::vector<Cover> covers;
         bool is_closed = true;  // a body that is open anywhere lets light in
         while (!edges.empty() && is_closed) {
-            const SideRim rim = walk(edges);
+            const Opening rim = walk(edges);
             const auto closing = rim.empty() ? std::vector<ConvexPolygon>() : lids(rim, members[which], tree);
             is_closed = !closing.empty() && !is_of_plates(rim);
             for (const ConvexPolygon& lid : closing) {
