@@ -100,11 +100,8 @@ ExitCode convert(const ConvertCommand& command) {
     std::string text;
     if (format.extension == ".vs3") {
         const auto emissivities = studies::heat::said_emissivities(prepared.source, scene.faces.size());
-        const auto unknown = std::count(emissivities.begin(), emissivities.end(), std::nullopt);
-        if (unknown > 0 && !command.scene.quiet)
-            say("note: {} not one emissivity in the scene and {} 0.5 in {}.\n",
-                unknown == 1 ? "1 face has" : fmt::format("{} faces have", unknown), unknown == 1 ? "gets" : "get",
-                command.out.string());
+        if (!command.scene.quiet)
+            note_unknown_emissivities(emissivities, fmt::format("0.5 in {}", command.out.string()));
         text = studies::vs3_text(scene, emissivities);
     } else {
         text = format.text(scene);

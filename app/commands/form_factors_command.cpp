@@ -30,6 +30,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -62,14 +63,14 @@ class MatrixFiles {
     void write(const std::string& file, const studies::form_factors::Matrix::Sparse& matrix) const {
         folder_.write(file + ".npz", [&](std::ostream& out) { reports::write_sparse_npz(out, matrix); });
         if (has_text_) write_text(file, matrix);
-        if (is_small_) write_npy(file, Eigen::MatrixXd(matrix));
+        if (is_small_) write_npy(file, Eigen::MatrixXd(matrix), 2);
     }
 
     void write_areas(const std::vector<double>& areas) const {
         const Eigen::MatrixXd column =
             Eigen::Map<const Eigen::VectorXd>(areas.data(), static_cast<Eigen::Index>(areas.size()));
         write_text("areas", column.sparseView());
-        write_npy("areas", column);
+        write_npy("areas", column, 1);
     }
 
   private:
@@ -83,8 +84,8 @@ class MatrixFiles {
                       [&](std::ostream& out) { reports::write_sparse_matrix_market(out, matrix, scene_); });
     }
 
-    void write_npy(const std::string& file, const Eigen::MatrixXd& matrix) const {
-        folder_.write(file + ".npy", [&](std::ostream& out) { reports::write_npy(out, matrix); });
+    void write_npy(const std::string& file, const Eigen::MatrixXd& matrix, int dimensions) const {
+        folder_.write(file + ".npy", [&](std::ostream& out) { reports::write_npy(out, matrix, dimensions); });
     }
 };
 
@@ -94,6 +95,11 @@ void hand_on_files(OutputFolder& folder, const studies::form_factors::KeptMatrix
     if (formats.empty()) return;
     const auto handed = reports::hand_on(kept.scene, kept.matrix,
                                          studies::heat::said_emissivities(kept.source, kept.scene.faces.size()));
+    // View3D's file has an emissivity for each face, which is 1 of all where the scene gives none.
+    const bool some_are_known =
+        std::ranges::any_of(handed.emissivities, [](const auto& emissivity) { return emissivity.has_value(); });
+    if (some_are_known && std::ranges::find(formats, "view3d") != formats.end())
+        note_unknown_emissivities(handed.emissivities, "1 in view3d.txt");
     for (const reports::ProgramFile& file : reports::files_of_formats(formats, kept.scene))
         folder.write(std::string(file.name), [&](std::ostream& out) { file.write(out, handed); });
     folder.write("intervals.csv", [&](std::ostream& out) { reports::write_intervals(out, handed); });
@@ -181,6 +187,14 @@ ExitCode load(const FormFactorsCommand& command) {
 }
 
 }  // namespace
+
+void note_unknown_emissivities(const std::vector<std::optional<double>>& emissivities, std::string_view instead) {
+    const auto unknown = std::count(emissivities.begin(), emissivities.end(), std::nullopt);
+    if (unknown > 0)
+        say("note: {} no single emissivity in the scene and {} {}.\n",
+            unknown == 1 ? "1 face has" : fmt::format("{} faces have", unknown), unknown == 1 ? "gets" : "get",
+            instead);
+}
 
 studies::form_factors::KeptMatrix prepare_form_factors(const FormFactorsCommand& command) {
     studies::form_factors::KeptMatrix kept;

@@ -5,7 +5,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace ff {
 namespace {
@@ -45,11 +47,40 @@ bool has_crossing_edges(const std::vector<Vector2d>& places) {
     return false;
 }
 
+/// Numbers of corners along an outline.
+using Outline = std::vector<std::size_t>;
+
+double twice_area_of(const std::vector<Vector2d>& places, const Outline& outline) {
+    double sum = 0;
+    for (std::size_t i = 0; i < outline.size(); ++i)
+        sum += turn(places[outline[0]], places[outline[i]], places[next_corner(outline, i)]);
+    return sum;
+}
+
+/// Divides an outline where it comes back to a corner, so that each part goes round an area of its own. Holes, which
+/// are gone round the other way, stay with what they are in.
+std::vector<Outline> simple_parts(const std::vector<Vector2d>& places, Outline outline) {
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        for (std::size_t j = i + 1; j < outline.size(); ++j) {
+            if (places[outline[i]] != places[outline[j]]) continue;
+            const auto begin = outline.begin() + static_cast<std::ptrdiff_t>(i);
+            const auto end = outline.begin() + static_cast<std::ptrdiff_t>(j);
+            const Outline loop(begin, end);
+            Outline rest(outline.begin(), begin);
+            rest.insert(rest.end(), end, outline.end());
+            if (twice_area_of(places, loop) < 0 || twice_area_of(places, rest) < 0) continue;
+            std::vector<Outline> parts = simple_parts(places, loop);
+            std::ranges::move(simple_parts(places, rest), std::back_inserter(parts));
+            return parts;
+        }
+    }
+    return {std::move(outline)};
+}
+
 /// The corners of a polygon that are left.
 class Ring {
   public:
-    explicit Ring(const std::vector<Vector2d>& places) : places_(places), left_(places.size()) {
-        std::iota(left_.begin(), left_.end(), std::size_t{0});
+    Ring(const std::vector<Vector2d>& places, Outline outline) : places_(places), left_(std::move(outline)) {
         for (const Vector2d& place : places) flat_ = std::max(flat_, place.squaredNorm());
         constexpr double rounding = 1e-14;
         flat_ *= rounding;
@@ -77,7 +108,7 @@ class Ring {
 
   private:
     const std::vector<Vector2d>& places_;
-    std::vector<std::size_t> left_;
+    Outline left_;
     double flat_ = 0;  ///< twice the area up to which three corners count as one line
 
     /// A corner in the same place as another one, as where a hole is joined to the rim, is not in the way.
@@ -96,18 +127,22 @@ class Ring {
 std::vector<std::array<std::size_t, 3>> clip_ears(const std::vector<Eigen::Vector3d>& corners) {
     const std::vector<Vector2d> places = seen_along_normal(corners);
     if (has_crossing_edges(places)) return {};
+    Outline outline(places.size());
+    std::iota(outline.begin(), outline.end(), std::size_t{0});
     std::vector<std::array<std::size_t, 3>> triangles;
-    Ring ring(places);
-    while (ring.size() >= 3) {
-        std::size_t k = 0;
-        while (k < ring.size() && !ring.is_ear(k)) ++k;
-        if (k < ring.size()) {
-            triangles.push_back(ring.around(k));
-        } else {
-            for (k = 0; k < ring.size() && !ring.is_flat(k);) ++k;
-            if (k == ring.size()) return {};
+    for (Outline& part : simple_parts(places, std::move(outline))) {
+        Ring ring(places, std::move(part));
+        while (ring.size() >= 3) {
+            std::size_t k = 0;
+            while (k < ring.size() && !ring.is_ear(k)) ++k;
+            if (k < ring.size()) {
+                triangles.push_back(ring.around(k));
+            } else {
+                for (k = 0; k < ring.size() && !ring.is_flat(k);) ++k;
+                if (k == ring.size()) return {};
+            }
+            ring.remove(k);
         }
-        ring.remove(k);
     }
     return triangles;
 }

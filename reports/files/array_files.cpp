@@ -196,8 +196,12 @@ void write_sparse_matrix_market(std::ostream& out, const Eigen::SparseMatrix<dou
 }
 
 void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix) {
-    const std::string shape = matrix.cols() == 1 ? fmt::format("({},)", matrix.rows())
-                                                 : fmt::format("({}, {})", matrix.rows(), matrix.cols());
+    write_npy(out, matrix, matrix.cols() == 1 ? 1 : 2);
+}
+
+void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix, int dimensions) {
+    const std::string shape =
+        dimensions == 1 ? fmt::format("({},)", matrix.rows()) : fmt::format("({}, {})", matrix.rows(), matrix.cols());
     out << npy_header("<f8", "True", shape);
     for (const double value : matrix.reshaped()) {
         const auto bytes = std::bit_cast<std::array<char, sizeof(double)>>(value);

@@ -24,6 +24,8 @@ void write_sparse_matrix_market(std::ostream& out, const Eigen::SparseMatrix<dou
 
 /// A matrix as a NumPy .npy file, version 1.0; a single column is one-dimensional. @see docs/results.md
 void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix);
+/// The same with 1 dimension or 2, where a matrix may have a single column too.
+void write_npy(std::ostream& out, const Eigen::MatrixXd& matrix, int dimensions);
 std::string npy(const Eigen::MatrixXd& matrix);
 
 /// A sparse matrix by rows as a .npz file, as scipy.sparse.load_npz reads it: indices, indptr, format ("csr"), shape

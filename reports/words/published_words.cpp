@@ -18,6 +18,7 @@ using studies::audit::Report;
 
 std::string audit_verdict(const Report& report) {
     const std::size_t n = report.contradictions();
+    if (report.figures == 0) return "No figure is printed.";
     if (n == 0) return fmt::format("The {} printed figures contain no contradiction.", report.figures);
     return fmt::format("The {} printed figures contain {} contradiction{}.", report.figures, n, n == 1 ? "" : "s");
 }

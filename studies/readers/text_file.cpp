@@ -189,6 +189,8 @@ std::string read_text_file(const std::filesystem::path& file, FileKind wanted) {
 std::string checked_text(std::string bytes, const std::filesystem::path& file, FileKind wanted) {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     if (bytes.starts_with(byte_order_mark)) bytes.erase(0, byte_order_mark.size());
+    // Old programs end lines with a carriage return alone.
+    if (bytes.find('\n') == std::string::npos) std::replace(bytes.begin(), bytes.end(), '\r', '\n');
     expect_kind(wanted, bytes, file);
     expect_utf8(bytes, file, wanted);
     return bytes;

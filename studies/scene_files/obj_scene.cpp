@@ -6,6 +6,7 @@
 #include "core/geometry/placement.hpp"
 #include "core/support/error.hpp"
 #include "core/support/excerpt.hpp"
+#include "core/support/nearest_name.hpp"
 #include "core/support/words.hpp"
 #include "studies/scene_files/scene_with_materials.hpp"
 
@@ -24,7 +25,6 @@ namespace ff::studies {
 namespace {
 
 constexpr char up_in_scenes = 'z';
-constexpr std::string_view before_scale = "scale ";
 
 /// The group, object and material of a polygon, as numbers of names.
 struct Owners {
@@ -154,15 +154,25 @@ class ObjReader {
             return builder_.remark(comment.substr(meshes::note_on_mesh.size()));
         comment = in_small_letters(comment);
         closed_ = closed_ || comment == closed_scene;
-        for (const std::string_view by : obj_faces) {
-            if (comment == fmt::format("faces {}", by)) faces_ = by;
-        }
-        for (const std::string_view axis : obj_axes) {
-            if (comment == fmt::format("up {}", axis)) up_ = axis.front();
-        }
-        if (comment.starts_with(before_scale)) {
-            const double scale = finite_number(std::string_view(comment).substr(before_scale.size())).value_or(0);
-            if (is_scale(scale)) scale_ = scale;
+        const auto words = split_words(comment);
+        if (words.size() != 2) return;  // a sentence
+        const std::string_view value = words[1];
+        if (words[0] == "faces") {
+            if (std::ranges::find(obj_faces, value) != obj_faces.end())
+                faces_ = value;
+            else if (const std::string hint = did_you_mean(value, obj_faces); !hint.empty())
+                builder_.remark("the comment '# {}' says nothing. {}", excerpt(comment), trimmed(hint));
+        } else if (words[0] == "up") {
+            if (std::ranges::find(obj_axes, value) != obj_axes.end())
+                up_ = value.front();
+            else if (value.size() == 2)
+                builder_.remark("the comment '# {}' says nothing (x, y or z can point up)", excerpt(comment));
+        } else if (words[0] == "scale") {
+            const auto scale = finite_number(value);
+            if (scale && is_scale(*scale))
+                scale_ = *scale;
+            else if (scale)
+                builder_.remark("the comment '# {}' says nothing (a scale is from 1e-9 to 1e9)", excerpt(comment));
         }
     }
 

@@ -77,6 +77,9 @@ ExitCode predict_form_factors(const studies::form_factors::KeptMatrix& kept);
 /// The request and the scene of a command, read and validated. @throws UserError, IoError
 studies::form_factors::KeptMatrix prepare_form_factors(const FormFactorsCommand& command);
 
+/// Prints a note on faces without a single emissivity. @param instead  "1 in view3d.txt"
+void note_unknown_emissivities(const std::vector<std::optional<double>>& emissivities, std::string_view instead);
+
 /// The matrix that --load names, with the faults of its scene. @throws UserError, IoError
 studies::form_factors::KeptMatrix load_kept_form_factors(const FormFactorsCommand& command);
 

@@ -17,12 +17,16 @@ bool begins_with_word(std::string_view bytes, std::string_view word) {
            blanks.find(bytes[word.size()]) != std::string_view::npos;
 }
 
+/// Comments may precede the section that tells the version.
+bool is_gmsh(std::string_view bytes) {
+    return begins_with_word(bytes, "$MeshFormat") || begins_with_word(bytes, "$Comments");
+}
+
 constexpr std::array kinds{
     MeshKind{"a VTK file", ".vtk", [](std::string_view bytes) { return bytes.starts_with("# vtk DataFile"); },
              read_vtk_legacy},
     MeshKind{"a VTK file in XML", ".vtu", is_vtk_xml, read_vtk_xml},
-    MeshKind{"a mesh of gmsh", ".msh", [](std::string_view bytes) { return bytes.starts_with("$MeshFormat"); },
-             read_gmsh},
+    MeshKind{"a mesh of gmsh", ".msh", is_gmsh, read_gmsh},
     MeshKind{"a binary glTF file", ".glb", [](std::string_view bytes) { return bytes.starts_with("glTF"); }},
     MeshKind{"a PLY file", ".ply", [](std::string_view bytes) { return begins_with_word(bytes, "ply"); }, read_ply},
     MeshKind{"an OFF file", ".off", is_off, read_off},
@@ -59,8 +63,17 @@ void SurfaceMesh::add_polygon(std::string_view group, std::span<const std::int64
         if (is_new) text_ += fmt::format("v {} {} {}\n", point.x(), point.y(), point.z());
         polygon += fmt::format(" {}", vertex->second);
     }
-    if (group != group_) text_ += fmt::format("g {}\n", group_ = group);
+    if (const std::string& word = word_of(group); word != group_) text_ += fmt::format("g {}\n", group_ = word);
     text_ += polygon + '\n';
+}
+
+const std::string& SurfaceMesh::word_of(std::string_view group) {
+    const auto known = words_.find(group);
+    if (known != words_.end()) return known->second;
+    const std::string word = group.empty() ? std::string(unnamed_group) : as_word(group);
+    std::string free = word;
+    for (int number = 2; !used_.insert(free).second; ++number) free = fmt::format("{}.{}", word, number);
+    return words_[std::string(group)] = free;
 }
 
 void SurfaceMesh::remark(std::string_view text) {

@@ -4,6 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,7 +34,8 @@ class SurfaceMesh {
     void add_point(const Eigen::Vector3d& point) { points_.push_back(point); }
     [[nodiscard]] std::size_t point_count() const { return points_.size(); }
 
-    /// Adds a polygon. @param cell  names it in messages: "cell 3"
+    /// Adds a polygon. @param group  as the file has it; different groups stay apart where they become one word
+    /// @param cell  names it in messages: "cell 3"
     /// @throws UserError where it has fewer than three corners, or one that is not a point or is not finite
     void add_polygon(std::string_view group, std::span<const std::int64_t> corners, std::string_view cell);
 
@@ -49,7 +53,11 @@ class SurfaceMesh {
     std::string notes_;                                      ///< notes, as comments of an OBJ file
     std::string text_;
     std::string group_;
+    std::map<std::string, std::string, std::less<>> words_;  ///< words of groups
+    std::set<std::string> used_;                             ///< words that a group has
     std::uint64_t volume_cells_ = 0;
+
+    const std::string& word_of(std::string_view group);
 };
 
 /// The kind of a mesh file, by its content.

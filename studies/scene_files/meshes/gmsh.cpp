@@ -128,7 +128,7 @@ class GmshReader {
             const auto tag = words.size() < 3 ? std::nullopt : parse_number<std::int64_t>(words[1]);
             if (!tag || begin == end)
                 in_.fail("'{}' is no dimension, tag and name in quotes. Write 2 1 \"wall\".", excerpt(line));
-            if (words[0] == "2") surfaces_.set_name(*tag, as_word(line.substr(begin + 1, end - begin - 1)));
+            if (words[0] == "2") surfaces_.set_name(*tag, std::string(line.substr(begin + 1, end - begin - 1)));
         }
     }
 

@@ -50,11 +50,23 @@ class StlTextReader {
         static_cast<void>(in_.word());
     }
 
+    /// The rest of the line after `solid`, which ends where a file in a single line has its first facet.
+    std::string name_of_solid() {
+        const MeshInput beginning = in_;
+        const std::string line(in_.line());
+        const std::size_t facet = (" " + in_small_letters(line)).find(" facet normal ");
+        if (facet == std::string::npos) return line;
+        in_ = beginning;
+        std::string name;
+        while (!follows("facet")) name += fmt::format("{}{}", name.empty() ? "" : " ", in_.word());
+        return name;
+    }
+
     /// The rest of the line after `solid` is its name. What stands after `endsolid` is not compared with it, since many
     /// programs write nothing there.
     void read_solid() {
         expect("solid");
-        const std::string name = as_word(in_.line());
+        const std::string name = name_of_solid();
         if (!name.empty()) in_.set_section("solid " + name);
         while (!follows("endsolid")) read_facet(name.empty() ? unnamed_group : name);
         expect("endsolid");

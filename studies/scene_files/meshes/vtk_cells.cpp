@@ -164,10 +164,10 @@ std::optional<std::string> choose_array(SurfaceMesh& mesh, const std::vector<Vtk
     if (chosen != names.end()) {
         const std::string name = *chosen;
         names.erase(chosen);
-        if (!names.empty())
-            mesh.remark(
-                fmt::format("array '{}' tells its faces apart, as the first with several values; {} {} not used",
-                            excerpt(as_word(name)), quoted(names), names.size() == 1 ? "is" : "are"));
+        const std::string others = names.empty() ? ""
+                                                 : fmt::format(", as the first with several values; {} {} not used",
+                                                               quoted(names), names.size() == 1 ? "is" : "are");
+        mesh.remark(fmt::format("array '{}' tells its faces apart{}", excerpt(as_word(name)), others));
         return name;
     }
     std::set<std::string> unused;
@@ -195,7 +195,7 @@ void VtkCells::append(const VtkCells& more, std::int64_t type) {
 }
 
 std::string VtkArray::face_of(std::size_t cell) const {
-    return texts.empty() ? fmt::format("{}_{}", as_word(name), numbers[cell]) : texts[cell];
+    return texts.empty() ? fmt::format("{}_{}", name, numbers[cell]) : texts[cell];
 }
 
 bool VtkArrays::add(const std::string& name, std::optional<NumberType> type, std::uint64_t components,

@@ -242,7 +242,7 @@ class LegacyReader {
                 if (in_.left() == 0)
                     in_.fail("{} texts are announced, and {} follow (the file was cut off). Write it again.",
                              tuples * components, i);
-                texts.push_back(as_word(text()));
+                texts.push_back(text());
             }
             if (is_of_cells && components == 1) arrays_.usable.push_back({name, {}, std::move(texts)});
             return;

@@ -200,7 +200,7 @@ class XmlReader {
                     if (byte > 255) input.fail("{} is no byte of a text. Correct it.", byte);
                     text += static_cast<char>(byte);
                 }
-                all.push_back(as_word(text));
+                all.push_back(std::move(text));
             }
             return all;
         });

@@ -84,6 +84,20 @@ TEST(GmshFaces, AreBothSidesOfAPlatePhysicalInEitherDirection) {
     }
 }
 
+TEST(GmshFaces, StayApartWhereTheirNamesBecomeOneWord) {
+    std::string text = gmsh_2("1 2 2 5 1 1 2 3\n2 2 2 7 1 5 7 6\n");
+    text.replace(text.find("floor"), 5, "a  b").replace(text.find("roof"), 4, "a__b");
+    EXPECT_THAT(gmsh_scene(text).faces, ElementsAre("a__b", "a__b.2"));
+}
+
+TEST(GmshFaces, AreReadAfterComments) {
+    const std::string text = "$Comments\nby a pen\n$EndComments\n" + gmsh_2("1 2 2 5 1 1 2 3\n");
+    const MeshKind* const kind = mesh_kind(text);
+    ASSERT_NE(kind, nullptr);
+    EXPECT_EQ(kind->extension, ".msh");
+    EXPECT_THAT(gmsh_scene(text).faces, ElementsAre("floor"));
+}
+
 TEST(GmshFaces, HaveDuplicateElementsOnlyOnce) {
     const Scene scene = gmsh_scene(gmsh_2("1 2 2 5 1 1 2 3\n2 2 2 5 1 1 2 3\n"));
     EXPECT_THAT(scene.remarks, ElementsAre(HasSubstr("is a copy of another and is left out")));
@@ -155,6 +169,9 @@ TEST(VtkFaces, AreNamedByTextsInXml) {
     const std::string floor = named("102 108 111 111 114 0");
     const Scene scene = xml_scene(grid_of(piece(0, floor) + piece(1, named("116 111 112 0"))));
     EXPECT_THAT(scene.faces, ElementsAre("floor", "top"));
+    EXPECT_THAT(scene.remarks, ElementsAre("array 'wall' tells its faces apart"));
+    EXPECT_THAT(xml_scene(grid_of(piece(0, named("97 32 98 0")) + piece(1, named("97 95 98 0")))).faces,
+                ElementsAre("a_b", "a_b.2"));
     EXPECT_THAT(xml_scene(grid_of(piece(0, floor) + piece(1, floor))).faces, ElementsAre("floor"));
     for (const std::string bytes : {"102 108", "102 0 103 0", "102 x 0"})
         EXPECT_THROW(xml_scene(grid_of(piece(0, floor) + piece(1, named(bytes)))), UserError) << bytes;

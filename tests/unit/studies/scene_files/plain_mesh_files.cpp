@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -95,7 +96,11 @@ TEST(StlFiles, MayHaveKeywordsInCapitals) {
         "SOLID My Wall\nFACET NORMAL 0 0 1\nOUTER LOOP\nVERTEX 0 0 0\nVERTEX 1 0 0\nVERTEX 0 1 0\nENDLOOP\nENDFACET\n"
         "ENDSOLID";
     EXPECT_TRUE(is_stl(text));
-    EXPECT_EQ(read_stl("a.stl", text).as_obj(), "v 0 0 0\nv 1 0 0\nv 0 1 0\ng My_Wall\nf 1 2 3\n");
+    const std::string wall = "v 0 0 0\nv 1 0 0\nv 0 1 0\ng My_Wall\nf 1 2 3\n";
+    EXPECT_EQ(read_stl("a.stl", text).as_obj(), wall);
+    std::string in_a_line = text;
+    std::ranges::replace(in_a_line, '\n', ' ');
+    EXPECT_EQ(read_stl("a.stl", in_a_line).as_obj(), wall);
 }
 
 TEST(PlyFiles, HaveStripsThatRestart) {
@@ -123,10 +128,10 @@ TEST(PlainMeshFiles, AreRefusedWithTheReason) {
         std::string_view message;
     };
     const std::vector<PlainFault> faults{
-        {"a.stl", with_change(stl, "vertex 4 ", "vertex x "), "a.stl:5: solid floor_plate: 'x' is not a number"},
+        {"a.stl", with_change(stl, "vertex 4 ", "vertex x "), "a.stl:5: solid floor plate: 'x' is not a number"},
         {"a.stl", with_change(stl, "vertex 4 ", "vertex 4,0 "), "'4,0' is not a number"},
         {"a.stl", with_change(stl, "vertex 4 ", "vertex inf "),
-         "a.stl:5: solid floor_plate: a coordinate is inf, which"},
+         "a.stl:5: solid floor plate: a coordinate is inf, which"},
         {"a.stl", with_change(stl, "  endloop", "  vertex 1 2 3"), "'vertex' stands where 'endloop' is expected"},
         {"a.stl", with_change(stl, "endsolid", "endsold"), "'endsold' stands where 'facet' is expected"},
         {"a.stl", "solid nothing\nendsolid", "a.stl: no polygon"},

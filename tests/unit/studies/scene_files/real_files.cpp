@@ -75,7 +75,6 @@ TEST(RealObjFiles, HaveAScaleAndAnAxisThatPointsUp) {
     };
     const Eigen::AlignedBox3d plain = box_of("");
     EXPECT_EQ(box_of("# scale 0.001\n").max(), plain.max() / 1000);
-    // The floor z = 0 faces along z, which each turn takes to the axis that it belongs on.
     EXPECT_EQ(read_cube(floor).surfaces.front().normal, Eigen::Vector3d(0, 0, 1));
     EXPECT_EQ(read_cube(floor + "# up y\n").surfaces.front().normal, Eigen::Vector3d(0, -1, 0));
     EXPECT_EQ(read_cube(floor + "# up x\n").surfaces.front().normal, Eigen::Vector3d(0, 1, 0));
@@ -84,8 +83,9 @@ TEST(RealObjFiles, HaveAScaleAndAnAxisThatPointsUp) {
                 ElementsAre("its lengths are multiplied by 0.001", HasSubstr("its y axis")));
     EXPECT_TRUE(read_cube(floor + "# Closed\n").closed);
     // Comments that mean something else are ignored.
-    EXPECT_THAT(read_cube(floor + "# scale\n# scale of nothing\n# scale 0\n# scale -2\n# up to date\n").remarks,
-                IsEmpty());
+    EXPECT_THAT(read_cube(floor + "# scale\n# scale unknown\n# faces 12\n# up there\n").remarks, IsEmpty());
+    EXPECT_THAT(read_cube(floor + "# scale -2\n# up -y\n# faces materials\n").remarks,
+                testing::Each(HasSubstr("says nothing")));
 }
 
 TEST(RealObjFiles, HaveSliversAndDuplicatesWhichAreLeftOut) {
