@@ -42,8 +42,14 @@ struct HeatCommand {
     std::optional<std::string> tolerance;       ///< largest error of form factors, or of powers, as typed
     std::string tolerance_of = "factor";        ///< or "flux"
     std::optional<std::string> flow_tolerance;  ///< largest error of powers, where `tolerance` is that of form factors
+    std::string interval = "statistical";       ///< or "bound"
+    bool all_at_once = false;                   ///< whether the level is that of all statistical intervals
     bool gebhart = false;                       ///< Gebhart factors as well
 };
+
+bool has_samples(const studies::form_factors::Matrix& matrix) {
+    return std::ranges::any_of(matrix.exchanges, &studies::form_factors::FaceExchange::is_sampled);
+}
 
 /// Form factors of an earlier run. @throws UserError also where their intervals hold only one by one
 studies::form_factors::KeptMatrix load_of_all_at_once(const FormFactorsCommand& command) {
@@ -54,9 +60,7 @@ studies::form_factors::KeptMatrix load_of_all_at_once(const FormFactorsCommand& 
             "--load {}: the matrix was made with --surroundings {} (heat takes the surroundings from the "
             "materials file). Make it without.",
             command.load.string(), kept.request.surroundings);
-    const bool sampled = std::any_of(kept.matrix.exchanges.begin(), kept.matrix.exchanges.end(),
-                                     [](const auto& exchange) { return exchange.is_sampled(); });
-    if (sampled && kept.request.level_of != studies::form_factors::LevelOf::matrix)
+    if (has_samples(kept.matrix) && kept.request.level_of != studies::form_factors::LevelOf::matrix)
         throw UserError(
             "--load {}: the level of its intervals is that of each by itself (flows need all at "
             "once). Run 'ffstudy form-factors' again with --simultaneous.",
@@ -184,6 +188,9 @@ ExitCode find_flows(const HeatCommand& command) {
     if (command.gebhart) expect_one_set_of_reflectances(cases, command.materials);
     const studies::heat::FlowTolerance tolerance = flow_tolerance_of(command, cases.front());
     if (!samples_flows && !is_loaded) kept.request.tolerance = factor_tolerance_of(command);
+    const studies::heat::FlowIntervals intervals{command.interval == "statistical", kept.request.level,
+                                                 command.all_at_once};
+    kept.request.randomisations = true;
     std::optional<OutputFolder> out;
     if (!command.factors.out.empty()) out.emplace(command.factors.out, "heat", heat_files);
     std::vector<std::string> warnings = warnings_about(cases);
@@ -191,7 +198,7 @@ ExitCode find_flows(const HeatCommand& command) {
     std::optional<studies::heat::SampledFlows> sampled;
     const auto find = [&](const Scene& scene, const studies::form_factors::Request& request) {
         if (!samples_flows) return studies::form_factors::find_matrix(scene, request);
-        sampled = studies::heat::sample_flows(scene, request, cases.front(), scale, tolerance);
+        sampled = studies::heat::sample_flows(scene, request, cases.front(), scale, tolerance, intervals);
         return std::move(sampled->matrix);
     };
     auto earlier = out ? kept_in_folder(kept, command.factors.out, samples_flows) : std::nullopt;
@@ -213,14 +220,19 @@ ExitCode find_flows(const HeatCommand& command) {
             out->replace(matrix_store_file,
                          [&](const auto& store) { studies::form_factors::save_matrix(store, kept); });
     }
+    if (intervals.statistical && is_loaded && kept.matrix.randomisations.empty() && has_samples(kept.matrix) &&
+        !command.factors.quiet)
+        say("note: {} has no values of randomisations: intervals of flows are bounds. Add --randomisations where it "
+            "is made.\n",
+            command.factors.load.string());
     std::vector<studies::heat::SolvedCase> solved;
     if (sampled)
         solved.push_back({std::move(cases.front()), std::move(sampled->flows)});
     else
-        solved = studies::heat::solve_cases(kept.scene, kept.matrix, std::move(cases), scale);
+        solved = studies::heat::solve_cases(kept.scene, kept.matrix, std::move(cases), scale, intervals);
     const bool trusted = studies::form_factors::is_trusted(kept.scene, kept.matrix, kept.request.tolerance);
-    const reports::HeatReport report{kept.scene, kept.request, solved,
-                                     tolerance,  trusted,      sampled ? &*sampled : nullptr};
+    const reports::HeatReport report{
+        kept.scene, kept.request, solved, tolerance, trusted, sampled ? &*sampled : nullptr, command.all_at_once};
     if (const auto widened = reports::widened_rows(report)) {
         say("note: {}\n", *widened);
         warnings.push_back(*widened);
@@ -265,7 +277,11 @@ void add_heat(ProgramDefinition& program) {
     sub.option("--tolerance-of", command.tolerance_of,
                "What --tolerance is of: factor, or flux, which samples where powers depend on it",
                {.type = "WHAT", .choices = {"factor", "flux"}, .shows_default = true});
-    sub.option("--level", factors.request.level, "Level of all intervals at once", {.shows_default = true});
+    sub.option("--interval", command.interval,
+               "Of flows: statistical, from the spread of randomisations, or bound, by all form factors within theirs",
+               {.type = "KIND", .choices = {"statistical", "bound"}, .shows_default = true});
+    sub.option("--level", factors.request.level, "Level of each interval", {.shows_default = true});
+    sub.option("--simultaneous", command.all_at_once, "The level is that of all intervals at once, as of bounds");
     sub.option("--seed", factors.seed, "Seed of all random numbers", {.shows_default = true});
     sub.option("--threads", factors.threads, "Threads; results do not depend on them (default: all cores)");
     sub.option("--max-time", factors.max_time, "Time limit: 90 (seconds), 15m, 2.5h, 1d; stops gracefully",

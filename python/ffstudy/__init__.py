@@ -123,8 +123,8 @@ def form_factors(scene: Optional[SceneFile] = None, *, vertices=None, faces: Opt
 
 @dataclass(frozen=True)
 class Heat:
-    """What grey diffuse faces emit, reflect and absorb. Quantities are arrays (faces, 2): both ends of intervals that hold
-    all at once. Where the materials have [[case]]s they have one more axis, (cases, faces, 2)."""
+    """What grey diffuse faces emit, reflect and absorb. Quantities are arrays (faces, 2): both ends of intervals.
+    Where the materials have [[case]]s they have one more axis, (cases, faces, 2)."""
 
     names: List[str]  #: of the faces
     areas: numpy.ndarray  #: (faces,), m²
@@ -164,7 +164,7 @@ def heat(scene: Optional[SceneFile] = None, materials: Optional[SceneFile] = Non
          faces: Optional[Sequence[Sequence[int]]] = None, names: Optional[Sequence[str]] = None, emissivity=None,
          temperature=None, flux=None, surroundings: Optional[float] = None, scale: float = 1, tolerance: float = 1e-4,
          level: float = 0.95, seed: int = 1, threads: Optional[int] = None,
-         max_samples: int = 1_000_000_000) -> Heat:
+         max_samples: int = 1_000_000_000, interval: str = "statistical") -> Heat:
     """Heat between the faces of a scene, as `ffstudy heat` finds it.
 
     scene, or vertices, faces and names: as for form_factors.
@@ -172,10 +172,13 @@ def heat(scene: Optional[SceneFile] = None, materials: Optional[SceneFile] = Non
     emissivity, temperature, flux, surroundings: instead of it, one value for all faces or an array (faces,), in K and
         W/m². A face has a temperature or a flux; the other is NaN.
     scale: metres per unit of length.   tolerance: largest half width of a form factor.
-    level: that all intervals hold at once.   max_samples: rays and points in all.
+    level: of each interval.   max_samples: rays and points in all.
+    interval: "statistical", or "bound": for all form factors within intervals that hold all at once with that level.
 
     Raises InputError, FileError; KeyboardInterrupt on Ctrl-C.
     """
+    if interval not in ("statistical", "bound"):
+        raise InputError(f"heat: interval = {interval!r} (expected 'statistical' or 'bound'). Take one of them.")
     name, text = _scene_or_polygons("heat", scene, vertices, faces, names)
     arrays = [emissivity, temperature, flux, surroundings]
     if (materials is None) == all(values is None for values in arrays):
@@ -187,7 +190,8 @@ def heat(scene: Optional[SceneFile] = None, materials: Optional[SceneFile] = Non
     else:
         origin = "arrays"
         properties = _materials(_core.face_names(name, text), *arrays)
-    found = _core.heat(name, text, properties, origin, scale, tolerance, level, seed, _threads(threads), max_samples)
+    found = _core.heat(name, text, properties, origin, scale, interval == "statistical", tolerance, level, seed,
+                       _threads(threads), max_samples)
     cases = [case for case in found.cases if case]
     groups = [dict(of_case) for of_case in found.groups]
 

@@ -34,7 +34,7 @@ struct Heat {
 };
 
 Heat heat(const SceneText& source, const std::string& materials, const std::string& origin, double scale,
-          const MatrixRequest& asked) {
+          bool statistical, const MatrixRequest& asked) {
     Heat found;
     run_interruptibly([&](const std::atomic<bool>& stop) {
         const auto [scene, said, lengths] = studies::make_scene_with_materials(source.source());
@@ -46,6 +46,7 @@ Heat heat(const SceneText& source, const std::string& materials, const std::stri
         auto cases = studies::heat::read_cases(materials, origin, {scene.faces, said});
         studies::form_factors::Request request = asked.request(stop);
         request.level_of = studies::form_factors::LevelOf::matrix;
+        request.randomisations = statistical;
         auto doubts = studies::examine_scene(scene);
         auto matrix = find_matrix_without_mirrors(scene, request);
         matrix.faults = doubts.faults;
@@ -53,7 +54,7 @@ Heat heat(const SceneText& source, const std::string& materials, const std::stri
         found.warnings = std::move(doubts.faults);
         for (const auto& one : cases)
             found.warnings.insert(found.warnings.end(), one.warnings.begin(), one.warnings.end());
-        found.cases = studies::heat::solve_cases(scene, matrix, std::move(cases), scale);
+        found.cases = studies::heat::solve_cases(scene, matrix, std::move(cases), scale, {statistical, asked.level});
     });
     return found;
 }
@@ -126,12 +127,13 @@ void bind_heat(py::module_& module) {
     module.def(
         "heat",
         [](const std::string& name, const std::optional<std::string>& text, const std::string& materials,
-           const std::string& origin, double scale, double tolerance, double level, std::uint64_t seed,
-           unsigned threads, std::uint64_t max_samples) {
-            return heat({name, text}, materials, origin, scale, {tolerance, level, seed, threads, max_samples});
+           const std::string& origin, double scale, bool statistical, double tolerance, double level,
+           std::uint64_t seed, unsigned threads, std::uint64_t max_samples) {
+            return heat({name, text}, materials, origin, scale, statistical,
+                        {tolerance, level, seed, threads, max_samples});
         },
-        arg("name"), arg("text"), arg("materials"), arg("origin"), arg("scale"), arg("tolerance"), arg("level"),
-        arg("seed"), arg("threads"), arg("max_samples"));
+        arg("name"), arg("text"), arg("materials"), arg("origin"), arg("scale"), arg("statistical"), arg("tolerance"),
+        arg("level"), arg("seed"), arg("threads"), arg("max_samples"));
     module.def(
         "read_materials_file",
         [](const std::string& file) { return studies::read_text_file(file, studies::FileKind::materials); },

@@ -28,6 +28,7 @@ Json case_json(const studies::heat::SolvedCase& solved, const studies::heat::Flo
             {"reaches_outside", flows.reaches_outside},
             {"worst_half_width", flows.worst},
             {"within", flows.within(tolerance)},
+            {"interval", flows.statistical ? "statistical" : "bound"},
             {"groups", groups_of_case_json(flows)}};
 }
 

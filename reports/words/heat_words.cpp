@@ -79,7 +79,8 @@ std::string heat_verdict(const HeatReport& report) {
     const std::string sources = fmt::format("the {}{} that the sources give off", brief(flows.throughput, 4), unit);
     const std::string of_case =
         report.cases.size() > 1 ? fmt::format(" in the worst case, {}", worst.materials.name) : std::string();
-    const std::string at_level = fmt::format("all at once at level {:g}", report.request.level);
+    const std::string at_level = fmt::format(
+        "{} at level {:g}", flows.statistical && !report.all_at_once ? "each" : "all at once", report.request.level);
     if (!flows.within(report.tolerance))
         return lead(report) + fmt::format("{}he tolerance of {} is missed{}: powers are within {} % of {}, {}.",
                                           report.trusted ? "T" : "t", in_words(report.tolerance), of_case,

@@ -18,7 +18,8 @@ struct HeatReport {
     studies::heat::FlowTolerance tolerance{};
     bool trusted = true;  ///< nothing speaks against the scene and its form factors
     const studies::heat::SampledFlows* sampled =
-        nullptr;  ///< how they were sampled, if samples were taken where flows depend on them
+        nullptr;               ///< how they were sampled, if samples were taken where flows depend on them
+    bool all_at_once = false;  ///< whether statistical intervals hold at once
 
     [[nodiscard]] bool is_light() const { return cases.front().materials.are_light(); }
     [[nodiscard]] bool has_cases() const { return cases.size() > 1 || !cases.front().materials.name.empty(); }

@@ -1,7 +1,6 @@
 #include "studies/form_factors/amendments.hpp"
 
 #include "core/geometry/scene.hpp"
-#include "core/radiosity/repair.hpp"
 #include "core/support/error.hpp"
 #include "studies/readers/printable.hpp"
 
@@ -104,8 +103,12 @@ void add_surroundings(Matrix& matrix) {
 }
 
 RepairedFactors repair(const Matrix& matrix) {
-    const Matrix::Sparse factors = matrix.factors();
-    Matrix::Sparse weights = matrix.half_widths();
+    const Balanced balanced = balance_within(matrix, matrix.factors());
+    return compare_repaired(matrix, balanced.factors, balanced.balanced);
+}
+
+Balanced balance_within(const Matrix& intervals, const Matrix::Sparse& factors) {
+    Matrix::Sparse weights = intervals.half_widths();
     // A width of 0 would be an infinite weight; entries that are known better than this have the weight of this width.
     constexpr double least_relative_width = 1e-8;
     const double floor = std::max(least_relative_width * weights.coeffs().maxCoeff(), 1e-16);
@@ -115,9 +118,7 @@ RepairedFactors repair(const Matrix& matrix) {
         const bool is_zero = width == 0 && factors.coeffs()[place] == 0;
         width = is_zero ? 0 : std::pow(floor / std::max(floor, width), 2);
     }
-    const Balanced balanced =
-        balance(factors, weights, Eigen::Map<const Eigen::VectorXd>(matrix.areas.data(), factors.rows()));
-    return compare_repaired(matrix, balanced.factors, balanced.balanced);
+    return balance(factors, weights, Eigen::Map<const Eigen::VectorXd>(intervals.areas.data(), factors.rows()));
 }
 
 RepairedFactors compare_repaired(const Matrix& matrix, const Matrix::Sparse& repaired, bool possible) {

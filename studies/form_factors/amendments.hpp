@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/radiosity/repair.hpp"
 #include "studies/form_factors/form_factors.hpp"
 
 #include <string>
@@ -24,6 +25,9 @@ void add_surroundings(Matrix& matrix);
 /// The factors nearest to the estimates, by the widths of their intervals, that are reciprocal, sum to 1 in every row
 /// and are nowhere negative (core/radiosity/repair.hpp).
 RepairedFactors repair(const Matrix& matrix);
+
+/// The same for other factors with the widths of these intervals.
+Balanced balance_within(const Matrix& intervals, const Matrix::Sparse& factors);
 
 /// How repaired factors compare with those of the matrix.
 RepairedFactors compare_repaired(const Matrix& matrix, const Matrix::Sparse& repaired, bool possible);

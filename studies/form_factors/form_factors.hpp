@@ -80,6 +80,7 @@ struct PairRandomisations {
     /// others are independent.
     std::optional<std::uint32_t> rays_of;
     std::array<float, randomisations> values{};  ///< values of the factor from `from` to `to`
+    float hidden = 0;                            ///< part of the factor's half width that the values do not show
 };
 
 struct RepairedFactors {

@@ -150,6 +150,9 @@ void MatrixBuilder::keep_values(std::size_t p, const PairEstimate& estimate) {
         for (const SampledSum::Term& term : estimate.sum->terms) value += term.scale * term.share.means[k];
         kept.values[k] = static_cast<float>(value / matrix_.areas[pair.from]);
     }
+    const double hidden =
+        estimate_of(*estimate.sum, request_.level).unmet + estimate.sum->offset_error + pair.bound + pair.resolution;
+    kept.hidden = static_cast<float>(hidden / matrix_.areas[pair.from]);
 }
 
 void MatrixBuilder::end(double farthest) {

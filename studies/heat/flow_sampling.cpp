@@ -56,15 +56,17 @@ double pilot_tolerance(const FlowTolerance& tolerance) {
 class FlowSampling {
   public:
     FlowSampling(const Scene& scene, const form_factors::Request& asked, const Materials& materials, double scale,
-                 const FlowTolerance& tolerance)
+                 const FlowTolerance& tolerance, const FlowIntervals& intervals)
         : scene_(scene),
           asked_(asked),
           materials_(materials),
           scale_(scale),
           tolerance_(tolerance),
+          intervals_(intervals),
           aim_(tolerance),
           request_(asked) {
         request_.tolerance = pilot_tolerance(tolerance);
+        request_.randomisations = true;
         aim_.amount *= surplus;
     }
 
@@ -88,7 +90,8 @@ class FlowSampling {
     const Materials& materials_;
     double scale_;
     FlowTolerance tolerance_;
-    FlowTolerance aim_;
+    FlowIntervals intervals_;
+    FlowTolerance aim_;  ///< of bounds, which plans are made for
     form_factors::Request request_;
     std::optional<SampledFlows> best_;
     std::exception_ptr unresolved_;  ///< why there are no flows
@@ -117,8 +120,11 @@ class FlowSampling {
     /// @return whether its flows are known well enough
     bool keep(const form_factors::Matrix& matrix) {
         try {
-            Flows flows = find_flows(scene_, matrix, materials_, scale_);
+            intervals_.level = request_.level;
+            Flows flows = find_flows(scene_, matrix, materials_, scale_, intervals_);
             const double worst = flows.worst;
+            if (matrices_ == 1 && flows.statistical && worst > 0)
+                aim_.amount *= std::max(1.0, find_flows(scene_, matrix, materials_, scale_).worst / worst);
             const double wanted = tolerance_.power(flows.throughput);
             const bool enough = flows.within(tolerance_);
             if (!best_ || worst < best_->flows.worst)
@@ -148,8 +154,8 @@ class FlowSampling {
 }  // namespace
 
 SampledFlows sample_flows(const Scene& scene, const form_factors::Request& request, const Materials& materials,
-                          double scale, const FlowTolerance& tolerance) {
-    return FlowSampling(scene, request, materials, scale, tolerance).find();
+                          double scale, const FlowTolerance& tolerance, const FlowIntervals& intervals) {
+    return FlowSampling(scene, request, materials, scale, tolerance, intervals).find();
 }
 
 }  // namespace ff::studies::heat

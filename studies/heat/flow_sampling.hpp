@@ -46,6 +46,6 @@ std::optional<FlowPlan> plan_flows(const Scene& scene, const form_factors::Matri
 /// so that it does not matter which of them is reported: the one whose powers are known best.
 /// @param request  with LevelOf::matrix; its tolerance is not used @throws UserError as find_flows
 SampledFlows sample_flows(const Scene& scene, const form_factors::Request& request, const Materials& materials,
-                          double scale, const FlowTolerance& tolerance);
+                          double scale, const FlowTolerance& tolerance, const FlowIntervals& intervals = {});
 
 }  // namespace ff::studies::heat

@@ -3,8 +3,8 @@
 #include "core/geometry/scene.hpp"
 #include "core/radiosity/flow_bounds.hpp"
 #include "core/support/error.hpp"
-#include "stats/basics/distributions.hpp"
-#include "studies/form_factors/sampled_row.hpp"
+#include "studies/heat/factor_intervals.hpp"
+#include "studies/heat/flow_statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -32,78 +32,6 @@ double temperature_of_black_body(double power) {
 double emitted_by(const Material& material) {
     if (material.is_light()) return material.emission.value_or(0);
     return *material.emissivity * power_of_black_body(*material.temperature);
-}
-
-/// Intervals of the factors, and of what they leave. Every row of a closed scene whose surfaces all belong to faces
-/// adds up to 1; otherwise what is left is seen through openings, or lies on surfaces of no face.
-/// @param widths  factor on the widths of a face's sampled factors, at least 1
-FactorBounds factor_bounds(const Scene& scene, const form_factors::Matrix& matrix, const std::vector<double>& widths) {
-    const auto n = static_cast<Index>(matrix.faces());
-    std::vector<Eigen::Triplet<double>> low;
-    std::vector<Eigen::Triplet<double>> high;
-    const auto set = [&](Index i, Index j, double least, double most) {
-        low.emplace_back(i, j, std::clamp(least, 0.0, 1.0));
-        high.emplace_back(i, j, std::clamp(most, 0.0, 1.0));
-    };
-    for (const form_factors::FaceExchange& exchange : matrix.exchanges) {
-        const double width = exchange.is_sampled() ? std::max(widths[exchange.from], widths[exchange.to]) : 1;
-        const double least = exchange.low - (width - 1) * (exchange.value - exchange.low);
-        const double most = exchange.high + (width - 1) * (exchange.high - exchange.value);
-        const auto set_from = [&](Index i, Index j, double area) { set(i, j, least / area, most / area); };
-        set_from(exchange.from, exchange.to, matrix.areas[exchange.from]);
-        if (exchange.from != exchange.to) set_from(exchange.to, exchange.from, matrix.areas[exchange.to]);
-    }
-    for (Index i = 0; i < n; ++i) {
-        if (form_factors::rows_add_up(scene)) break;
-        const form_factors::RowSum& row = matrix.rows[static_cast<std::size_t>(i)];
-        set(i, n, 1 - row.high, 1 - row.low);
-    }
-    FactorBounds bounds{FactorBounds::Sparse(n, n + 1), FactorBounds::Sparse(n, n + 1)};
-    bounds.low.setFromTriplets(low.begin(), low.end());
-    bounds.high.setFromTriplets(high.begin(), high.end());
-    return bounds;
-}
-
-/// How much wider the intervals of all sampled factors are if one of them misses with a probability of 1e-6. The
-/// intervals are Student's.
-double widest(const form_factors::Matrix& matrix) {
-    constexpr double chance = 1e-6;
-    constexpr auto freedom = static_cast<double>(form_factors::randomisations - 1);
-    const auto sampled = std::ranges::count_if(matrix.exchanges, &form_factors::FaceExchange::is_sampled);
-    const double tail = (1 - matrix.entry_level) / 2;
-    const double smaller = chance / 2 / static_cast<double>(std::max<std::ptrdiff_t>(1, sampled));
-    return tail <= smaller ? 1 : stats::student_critical(freedom, smaller) / stats::student_critical(freedom, tail);
-}
-
-/// Intervals of the factors in which all rows can add up to 1, if chance explains those that cannot.
-struct PossibleFactors {
-    FactorBounds bounds;
-    std::vector<std::size_t> widened;  ///< rows
-};
-
-PossibleFactors possible_factors(const Scene& scene, const form_factors::Matrix& matrix) {
-    std::vector<double> widths(matrix.faces(), 1.0);
-    PossibleFactors factors{factor_bounds(scene, matrix, widths), {}};
-    for (std::size_t i = 0; i < matrix.faces(); ++i) {
-        if (can_add_up(factors.bounds, static_cast<Index>(i))) continue;
-        widths[i] = widest(matrix);
-        factors.widened.push_back(i);
-    }
-    if (!factors.widened.empty()) factors.bounds = factor_bounds(scene, matrix, widths);
-    return factors;
-}
-
-/// Whether a face may see out of the scene, by more than the rounding of a row of exact factors.
-bool sees_out(const FactorBounds& factors, Index face) {
-    constexpr double rounding = 1e-12;
-    return factors.high.coeff(face, factors.high.rows()) > rounding;
-}
-
-bool sees_out(const FactorBounds& factors) {
-    for (Index i = 0; i < factors.high.rows(); ++i) {
-        if (sees_out(factors, i)) return true;
-    }
-    return false;
 }
 
 void expect_solvable(const Scene& scene, const FactorBounds& factors, const FaceLaws& laws,
@@ -229,6 +157,33 @@ GroupFlow flow_of_group(const FaceGroup& group, const std::vector<FaceFlow>& fac
     return flow;
 }
 
+Flows all_flows(const Materials& materials, const std::vector<double>& areas, double scale,
+                const IrradiationBounds& irradiation, bool reaches_outside) {
+    Flows found;
+    found.reaches_outside = reaches_outside;
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+        const auto row = static_cast<Index>(i);
+        const FaceFlow& flow = found.faces.emplace_back(
+            flow_of(materials.faces[i], areas[i] * scale * scale, {irradiation.low[row], irradiation.high[row]}));
+        found.balance += flow.power;
+    }
+    const Bounds sources = given_off(found);
+    for (const FaceGroup& group : materials.groups) found.groups.push_back(flow_of_group(group, found.faces, sources));
+    return found;
+}
+
+/// Fills in what describes all flows together.
+void sum_up(Flows& flows, const FaceLaws& laws) {
+    for (std::size_t i = 0; i < flows.faces.size(); ++i) {
+        const FaceFlow& flow = flows.faces[i];
+        flows.throughput += std::max(0.0, flow.power.middle());
+        flows.emitted += std::max(0.0, laws.emitted[static_cast<Index>(i)]) * flow.area;
+        flows.exchanged += std::max(0.0, flow.radiosity.high) * flow.area;
+        flows.worst = std::max(flows.worst, flow.power.half_width());
+    }
+    if (flows.balance.middle() < 0) flows.throughput += -flows.balance.middle();  // what the surroundings give off
+}
+
 }  // namespace
 
 FlowTolerance read_flow_tolerance(std::string_view place, std::string_view text) {
@@ -273,41 +228,31 @@ bool Flows::are_at_rest() const {
     });
 }
 
-Flows find_flows(const Scene& scene, const form_factors::Matrix& matrix, const Materials& materials, double scale) {
+Flows find_flows(const Scene& scene, const form_factors::Matrix& matrix, const Materials& materials, double scale,
+                 const FlowIntervals& intervals) {
     const auto [factors, widened] = possible_factors(scene, matrix);
     const FaceLaws laws = laws_of(materials);
     expect_solvable(scene, factors, laws, materials);
     const IrradiationBounds irradiation = bound_irradiation(factors, laws);
     expect_absorbable(scene, materials, irradiation);
-    Flows found;
-    found.widened = widened;
-    Bounds sum;
-    for (std::size_t i = 0; i < matrix.faces(); ++i) {
-        const auto row = static_cast<Index>(i);
-        const double area = matrix.areas[i] * scale * scale;
-        const FaceFlow& flow =
-            found.faces.emplace_back(flow_of(materials.faces[i], area, {irradiation.low[row], irradiation.high[row]}));
-        sum.low += flow.power.low;
-        sum.high += flow.power.high;
-        found.throughput += std::max(0.0, flow.power.middle());
-        found.emitted += std::max(0.0, laws.emitted[row]) * area;
-        found.exchanged += std::max(0.0, flow.radiosity.high) * area;
-        found.worst = std::max(found.worst, flow.power.half_width());
-    }
-    found.balance = sum;
-    found.reaches_outside = sees_out(factors);
-    const Bounds sources = given_off(found);
-    for (const FaceGroup& group : materials.groups) found.groups.push_back(flow_of_group(group, found.faces, sources));
-    if (sum.middle() < 0) found.throughput += -sum.middle();  // what the surroundings give off
+    const bool outside = sees_out(factors);
+    const auto flows_of = [&](const IrradiationBounds& bounds) {
+        return all_flows(materials, matrix.areas, scale, bounds, outside);
+    };
+    std::optional<Flows> statistical;
+    if (intervals.statistical) statistical = statistical_flows(scene, matrix, materials, scale, intervals, flows_of);
+    Flows found = statistical ? std::move(*statistical) : flows_of(irradiation);
+    if (!found.statistical) found.widened = widened;
+    sum_up(found, laws);
     return found;
 }
 
 std::vector<SolvedCase> solve_cases(const Scene& scene, const form_factors::Matrix& matrix,
-                                    std::vector<Materials> cases, double scale) {
+                                    std::vector<Materials> cases, double scale, const FlowIntervals& intervals) {
     std::vector<SolvedCase> solved;
     for (Materials& one : cases) {
         try {
-            Flows flows = find_flows(scene, matrix, one, scale);
+            Flows flows = find_flows(scene, matrix, one, scale, intervals);
             solved.push_back({std::move(one), std::move(flows)});
         } catch (const InconclusiveFlows&) {
             throw;

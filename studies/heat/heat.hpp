@@ -41,6 +41,15 @@ struct Bounds {
     [[nodiscard]] double half_width() const { return (high - low) / 2; }
 };
 
+/// How intervals of flows are made.
+struct FlowIntervals {
+    /// From the spread of the factors' randomisations; otherwise they bound the flows of all factors within their
+    /// intervals.
+    bool statistical = false;
+    double level = 0.95;       ///< of statistical ones
+    bool all_at_once = false;  ///< whether the level is that of all statistical intervals of a case
+};
+
 /// The radiation of one face. For light: exitance, illuminance and their difference, in the units of the emission.
 struct FaceFlow {
     double area = 0;     ///< m²
@@ -73,6 +82,7 @@ struct Flows {
     double emitted = 0;                ///< W: what they emit, before any of it is reflected or comes back
     double exchanged = 0;              ///< W: what leaves them at most, emitted and reflected
     double worst = 0;                  ///< W: largest half width of a power
+    bool statistical = false;          ///< the kind of their intervals
     std::vector<std::size_t> widened;  ///< faces whose factors could add up to 1 in wider intervals only
 
     /// Nothing is exchanged, up to rounding, as between faces of one temperature: no power is shown to differ from 0,
@@ -115,11 +125,12 @@ FaceLaws laws_of(const Materials& materials);
 /// @throws ImpossibleRow
 /// @throws UserError where a face's radiosity is not determined, the surroundings are needed and not given, or a flux
 ///   leaves a face without a temperature
-Flows find_flows(const Scene& scene, const form_factors::Matrix& matrix, const Materials& materials, double scale);
+Flows find_flows(const Scene& scene, const form_factors::Matrix& matrix, const Materials& materials, double scale,
+                 const FlowIntervals& intervals = {});
 
 /// The flows of all cases, from the same form factors. @throws UserError as find_flows, which names the case
 std::vector<SolvedCase> solve_cases(const Scene& scene, const form_factors::Matrix& matrix,
-                                    std::vector<Materials> cases, double scale);
+                                    std::vector<Materials> cases, double scale, const FlowIntervals& intervals = {});
 
 /// Where the emission of a face is finally absorbed.
 struct GebhartFactor {

@@ -196,7 +196,9 @@ Pages markdown(const heat::FlowCoverage& coverage) {
                     "probability 0.95 if all claims are right.",
                     options.seed.value, options.seeds, brief(options.tolerance), coverage.level),
         coverage.contradictions());
-    for (const RateTable* table : {&coverage.flows, &coverage.narrower}) add_table(*table, coverage.level, result);
+    for (const RateTable* table :
+         {&coverage.flows, &coverage.narrower, &coverage.statistical, &coverage.statistical_narrower})
+        add_table(*table, coverage.level, result);
     return result;
 }
 

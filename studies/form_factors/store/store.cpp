@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -33,6 +34,8 @@ CREATE TABLE repaired(from_face INTEGER NOT NULL, to_face INTEGER NOT NULL, fact
   PRIMARY KEY(from_face, to_face)) WITHOUT ROWID;
 CREATE TABLE dropped(face INTEGER PRIMARY KEY, pairs INTEGER NOT NULL, factor REAL NOT NULL, low REAL NOT NULL,
   high REAL NOT NULL);
+CREATE TABLE randomisations(from_face INTEGER NOT NULL, to_face INTEGER NOT NULL, rays_of INTEGER, hidden REAL NOT NULL,
+  factors BLOB NOT NULL, PRIMARY KEY(from_face, to_face)) WITHOUT ROWID;
 CREATE TABLE warnings(warning TEXT NOT NULL);
 CREATE VIEW form_factors AS
   SELECT a.name AS "from", b.name AS "to", exchange_area / a.area AS factor, low / a.area AS low, high / a.area AS high,
@@ -43,11 +46,15 @@ CREATE VIEW form_factors AS
 )";
 
 /// Version of the tables; docs/form-factors.md describes them.
-constexpr int matrix_schema_version = 3;
+constexpr int matrix_schema_version = 4;
 constexpr int without_checksum = 1;
-constexpr StoreFormat form_factor_format{FileKind::form_factor_store, "matrix of form factors", "about",
-                                         matrix_schema_version,       without_checksum,         form_factor_schema,
-                                         "DROP TABLE dropped"};
+constexpr StoreFormat form_factor_format{FileKind::form_factor_store,
+                                         "matrix of form factors",
+                                         "about",
+                                         matrix_schema_version,
+                                         without_checksum,
+                                         form_factor_schema,
+                                         "DROP TABLE dropped; DROP TABLE randomisations"};
 
 std::int64_t integer(std::uint64_t value) {
     return static_cast<std::int64_t>(value);
@@ -60,9 +67,11 @@ std::string checksum_of_matrix(const Database& database) {
           "SELECT * FROM pairs ORDER BY from_face, to_face", "SELECT * FROM repaired ORDER BY from_face, to_face",
           "SELECT warning FROM warnings ORDER BY rowid"})
         add_rows(digest, database, sql);
-    // Earlier versions have no such table.
+    // Earlier versions lack these tables.
     if (stored_value(database, form_factor_format, "drop"))
         add_rows(digest, database, "SELECT * FROM dropped ORDER BY face");
+    if (stored_value(database, form_factor_format, "randomisations"))
+        add_rows(digest, database, "SELECT * FROM randomisations ORDER BY from_face, to_face");
     return in_hexadecimal(digest);
 }
 
@@ -78,6 +87,7 @@ void write_about(const Database& database, const KeptMatrix& kept) {
     write("lost_rays", matrix.lost_rays);
     write("interrupted", matrix.interrupted);
     if (matrix.leak > 0) write("leak", matrix.leak);
+    if (!matrix.randomisations.empty()) write("randomisations", matrix.randomisations.size());
     if (matrix.repaired) write("repair_possible", matrix.repaired->possible);
 }
 
@@ -103,6 +113,17 @@ void write_pairs(const Database& database, const Matrix& matrix) {
     for (const FaceExchange& pair : matrix.exchanges) {
         run_with(insert, pair.from + 1, pair.to + 1, pair.value, pair.low, pair.high, method_of(pair), reason_of(pair),
                  pair.samples, pair.clipped, pair.within, pair.contradicted);
+    }
+}
+
+/// The values are single numbers, two in each word of the blob.
+void write_randomisations(const Database& database, const Matrix& matrix) {
+    Statement insert(database.handle(), "INSERT INTO randomisations VALUES(?, ?, ?, ?, ?)");
+    for (const PairRandomisations& pair : matrix.randomisations) {
+        const auto words = std::bit_cast<std::array<std::uint64_t, randomisations / 2>>(pair.values);
+        insert.with(pair.from + 1, pair.to + 1, pair.rays_of ? *pair.rays_of + 1 : 0, static_cast<double>(pair.hidden))
+            .bind(4, std::span<const std::uint64_t>(words))
+            .run();
     }
 }
 
@@ -138,6 +159,7 @@ class MatrixReader {
         read_faces(kept.matrix, kept.scene);
         read_pairs(kept.matrix);
         if (kept.request.drop > 0) read_dropped(kept.matrix);
+        if (about_.has("randomisations")) read_randomisations(kept.matrix);
         read_repaired(kept);
         Statement warnings(database_->handle(), "SELECT warning FROM warnings ORDER BY rowid");
         while (warnings.step()) kept.warnings.push_back(warnings.text(0));
@@ -223,6 +245,31 @@ class MatrixReader {
         matrix.dropped /= 2;
     }
 
+    void read_randomisations(Matrix& matrix) const {
+        Statement query(database_->handle(),
+                        "SELECT from_face, to_face, rays_of, hidden, factors FROM randomisations "
+                        "ORDER BY from_face, to_face");
+        auto next = matrix.exchanges.begin();
+        while (query.step()) {
+            PairRandomisations& pair = matrix.randomisations.emplace_back();
+            pair.from = static_cast<std::uint32_t>(face(query, 0, matrix.faces()));
+            pair.to = static_cast<std::uint32_t>(face(query, 1, matrix.faces()));
+            if (query.integer(2) != 0) pair.rays_of = static_cast<std::uint32_t>(face(query, 2, matrix.faces()));
+            pair.hidden = static_cast<float>(query.real(3));
+            next = std::find_if(next, matrix.exchanges.end(), [&](const FaceExchange& exchange) {
+                return exchange.from == pair.from && exchange.to == pair.to;
+            });
+            std::array<std::uint64_t, randomisations / 2> words{};
+            const std::vector<std::uint64_t> stored = query.integers(4);
+            expect(next != matrix.exchanges.end() && stored.size() == words.size() && pair.hidden >= 0,
+                   "values of a pair");
+            std::copy(stored.begin(), stored.end(), words.begin());
+            pair.values = std::bit_cast<std::array<float, randomisations>>(words);
+            expect(std::ranges::all_of(pair.values, [](float value) { return std::isfinite(value); }),
+                   "values of a pair");
+        }
+    }
+
     void read_repaired(KeptMatrix& kept) const {
         if (!stored_value(*database_, form_factor_format, "repair_possible")) return;
         kept.request.repair = true;
@@ -251,6 +298,7 @@ void save_matrix(const std::filesystem::path& file, const KeptMatrix& kept) {
     write_faces(database, kept);
     write_pairs(database, kept.matrix);
     write_dropped(database, kept.matrix);
+    write_randomisations(database, kept.matrix);
     if (kept.matrix.repaired) write_repaired(database, kept.matrix.repaired->factors);
     Statement warning(database.handle(), "INSERT INTO warnings VALUES(?)");
     for (const std::string& text : kept.warnings) run_with(warning, text);

@@ -101,7 +101,7 @@ expect_refused 2 "no SQLite file"
 import sqlite3, sys
 sqlite3.connect('$folder/store.sqlite').executescript('UPDATE about SET value = 99 WHERE key = \'schema_version\'')"
 ffstudy form-factors --load "$folder/store.sqlite" --out out
-expect_refused 2 "schema version 99 (this program reads 1 to 3)"
+expect_refused 2 "schema version 99 (this program reads 1 to 4)"
 ffstudy form-factors --load "$folder/half" --out out
 expect_refused 3 "half"
 ffstudy form-factors --load "$folder/store.sqlite" cube

@@ -10,9 +10,11 @@ namespace ff::studies::heat {
 /// How often the limits of `find_flows` contain known flows.
 struct FlowCoverage {
     form_factors::FormFactorCoverageOptions options;
-    RateTable flows;     ///< all powers and temperatures of a scene at once
-    RateTable narrower;  ///< the same with a tenth of the width, for comparison
-    double level = 0;    ///< level of the interval of one rate, such that all hold together with 0.95 (Sidak)
+    RateTable flows;                 ///< all powers and temperatures of a scene at once
+    RateTable narrower;              ///< the same with a tenth of the width, for comparison
+    RateTable statistical;           ///< statistical intervals, one flow for each seed
+    RateTable statistical_narrower;  ///< the same with half the width
+    double level = 0;  ///< level of the interval of one rate, such that all hold together with 0.95 (Sidak)
 
     [[nodiscard]] std::size_t contradictions() const;  ///< rates below the level
 };

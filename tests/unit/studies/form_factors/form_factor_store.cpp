@@ -52,6 +52,7 @@ KeptMatrix found(SceneSource source, bool repaired, double drop = 0) {
     kept.request.seed = Seed{7};
     kept.request.repair = repaired;
     kept.request.drop = drop;
+    kept.request.randomisations = repaired;
     kept.matrix = find_matrix(kept.scene, kept.request);
     kept.warnings = {"first", "second"};
     kept.context = {{"host", "here"}};
@@ -80,6 +81,13 @@ void expect_equal(const Matrix& a, const Matrix& b) {
         const DroppedExchange& c = a.rows[i].dropped;
         const DroppedExchange& d = b.rows[i].dropped;
         EXPECT_EQ(std::tuple(c.pairs, c.value, c.low, c.high), std::tuple(d.pairs, d.value, d.low, d.high));
+    }
+    ASSERT_EQ(a.randomisations.size(), b.randomisations.size());
+    for (std::size_t i = 0; i < a.randomisations.size(); ++i) {
+        const PairRandomisations& c = a.randomisations[i];
+        const PairRandomisations& d = b.randomisations[i];
+        EXPECT_EQ(std::tuple(c.from, c.to, c.rays_of, c.values, c.hidden),
+                  std::tuple(d.from, d.to, d.rays_of, d.values, d.hidden));
     }
     ASSERT_EQ(a.repaired.has_value(), b.repaired.has_value());
     if (!a.repaired) return;
@@ -242,8 +250,8 @@ TEST_F(FormFactorStore, IsRefusedIfItIsAnotherKindOfFile) {
     save(kept);
     EXPECT_THAT(message_of<UserError>([&] { Store::open(file()); }),
                 HasSubstr("a store of form factors (expected a result store)"));
-    Database(file(), Database::Mode::create_or_open).execute("UPDATE about SET value = 4 WHERE key = 'schema_version'");
-    EXPECT_THAT(refusal<UserError>(), HasSubstr("schema version 4 (this program reads 1 to 3)"));
+    Database(file(), Database::Mode::create_or_open).execute("UPDATE about SET value = 5 WHERE key = 'schema_version'");
+    EXPECT_THAT(refusal<UserError>(), HasSubstr("schema version 5 (this program reads 1 to 4)"));
 }
 
 TEST_F(FormFactorStore, IsRefusedIfDamaged) {
