@@ -76,6 +76,8 @@ ExitCode convert(const ConvertCommand& command) {
     const SceneFormat& format = format_of(command.out);
     if (command.facets && (*command.facets < 3 || *command.facets > 10000))
         throw UserError("--facets {} (3 to 10000 polygons around a full turn). Try 32.", *command.facets);
+    if (std::error_code none; std::filesystem::equivalent(command.scene.scene, command.out, none))
+        throw UserError("{}: is the scene itself (it would be replaced). Give another name.", command.out.string());
     const auto prepared = prepare_form_factors(command.scene);
     Scene scene = prepared.scene;
     studies::expect_no_masks(scene);

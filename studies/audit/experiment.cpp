@@ -54,7 +54,8 @@ std::vector<Experiment> collect_experiments(const PublishedTables& tables) {
 }
 
 std::string describe(const Experiment& experiment) {
-    std::string text = fmt::format("{}, {} patches per face", experiment.method, experiment.patches_per_face);
+    std::string text = fmt::format("{}, {} {} per face", experiment.method, experiment.patches_per_face,
+                                   experiment.patches_per_face == 1 ? "patch" : "patches");
     if (experiment.samples_per_patch) text += fmt::format(", {} rays per patch", *experiment.samples_per_patch);
     return text;
 }

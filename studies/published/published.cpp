@@ -137,11 +137,9 @@ void read_row(const JsonReader& reader, const JsonValue& value, const Scene& sce
     const JsonValue& printed = reader.member(value, "printed", "the row");
     const auto& cells = reader.array(printed, "printed");
     if (cells.size() != columns.size()) {
-        reader.fail(
-            printed,
-            fmt::format("the figures of the row number {} and the columns of the table {} (each needs one). Write "
-                        "null for a blank cell.",
-                        cells.size(), columns.size()));
+        reader.fail(printed,
+                    fmt::format("figures in the row: {}; columns of the table: {}. Write null for a blank cell.",
+                                cells.size(), columns.size()));
     }
     const std::size_t row = table.row_titles.size();
     const std::string title = reader.optional_text(value, "title");

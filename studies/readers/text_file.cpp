@@ -182,6 +182,12 @@ std::string read_bytes(const std::filesystem::path& file) {
     return std::move(bytes).str();
 }
 
+std::string with_line_feeds(std::string bytes) {
+    if (bytes.find('\n') == std::string::npos && bytes.find('\0') == std::string::npos)
+        std::replace(bytes.begin(), bytes.end(), '\r', '\n');
+    return bytes;
+}
+
 std::string read_text_file(const std::filesystem::path& file, FileKind wanted) {
     return checked_text(read_bytes(file), file, wanted);
 }
@@ -189,8 +195,7 @@ std::string read_text_file(const std::filesystem::path& file, FileKind wanted) {
 std::string checked_text(std::string bytes, const std::filesystem::path& file, FileKind wanted) {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     if (bytes.starts_with(byte_order_mark)) bytes.erase(0, byte_order_mark.size());
-    // Old programs end lines with a carriage return alone.
-    if (bytes.find('\n') == std::string::npos) std::replace(bytes.begin(), bytes.end(), '\r', '\n');
+    bytes = with_line_feeds(std::move(bytes));
     expect_kind(wanted, bytes, file);
     expect_utf8(bytes, file, wanted);
     return bytes;

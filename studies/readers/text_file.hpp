@@ -35,6 +35,9 @@ std::string command_for(FileKind kind, const std::filesystem::path& file);
 ///   them. Unrecognised bytes are left to the parser of the expected kind.
 void expect_kind(FileKind wanted, std::string_view bytes, const std::filesystem::path& file);
 
+/// The bytes with line feeds, where they are a text whose lines end with carriage returns alone, as in old programs.
+std::string with_line_feeds(std::string bytes);
+
 /// All bytes of a file. @throws IoError where it cannot be read
 std::string read_bytes(const std::filesystem::path& file);
 

@@ -59,8 +59,15 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> words_of_
 
 int SceneBuilder::face(const std::string& label, std::uint64_t line) {
     if (const auto known = faces_.find(label); known != faces_.end()) return known->second;
-    if (const auto problem = problem_with_name(label); !problem.empty())
-        fail(line, "face '{}' {}", excerpt(label), problem);
+    if (const auto problem = problem_with_name(label); !problem.empty()) {
+        constexpr std::string_view before_formulas = "=@+-";
+        const std::string other = "_" + label;
+        if (before_formulas.find(label.front()) == std::string_view::npos || !problem_with_name(other).empty())
+            fail(line, "face '{}' {}", excerpt(label), problem);
+        formulas_.push_back(fmt::format("'{}'", label));
+        scene_.faces.push_back(reserve_name(other, false));
+        return faces_[label] = static_cast<int>(scene_.faces.size()) - 1;
+    }
     const bool is_of_sums = std::find(labels_of_sums.begin(), labels_of_sums.end(), label) != labels_of_sums.end();
     const std::string name = reserve_name(label, is_of_sums);
     if (is_of_sums) {
@@ -262,10 +269,11 @@ void SceneBuilder::remark_on_changes() {
         std::vector<std::uint64_t>& lines = changes_[kind];
         if (lines.empty()) continue;
         const auto& [one, many] = words_of_changes[kind];
+        std::sort(lines.begin(), lines.end());
+        // A polygon may have become several triangles.
+        lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
         const std::string what =
             lines.size() == 1 ? fmt::format("a polygon {}", one) : fmt::format("{} polygons {}", lines.size(), many);
-        std::sort(lines.begin(), lines.end());
-        lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
         const std::size_t left = lines.size() - std::min(lines.size(), most_named);
         lines.resize(lines.size() - left);
         remark("{} ({} {}{})", what, lines.size() == 1 ? "line" : "lines", fmt::join(lines, ", "),
@@ -289,6 +297,12 @@ Scene SceneBuilder::finish(bool closed, std::vector<FaceMaterial>* materials) {
         note(PolygonChange::turned, lines_[surface]);
     }
     remark_on_changes();
+    if (!formulas_.empty()) {
+        constexpr std::size_t most_named = 3;
+        remark("{} with _ here, since spreadsheets would take {} for {}",
+               first_names(formulas_, most_named) + (formulas_.size() == 1 ? " begins" : " begin"),
+               formulas_.size() == 1 ? "the name" : "the names", formulas_.size() == 1 ? "a formula" : "formulas");
+    }
     scene_.name = name_;
     scene_.closed = closed;
     Eigen::AlignedBox3d box;

@@ -85,6 +85,7 @@ class SceneBuilder {
     void append(Surface surface, std::uint64_t line);
     void cut_out_covered_parts(std::vector<FaceMaterial>* materials);
 
+    std::vector<std::string> formulas_;  ///< names of faces, in quotes, that spreadsheets would take for formulas
     std::string name_;
     Scene scene_;
     std::unordered_map<std::string, int> faces_;         ///< faces by their names in the file

@@ -55,9 +55,11 @@ void add_near(const Scene& scene, const LevelOverlap& overlap, SceneDoubts& doub
     const auto [low, high] = std::minmax(scene.surfaces[overlap.first].face, scene.surfaces[overlap.second].face);
     if (!overlap.same_side || high < 0) return;
     std::string note = fmt::format(
-        "scene '{}': {} and {} lie over each other, less than a millionth of their size apart (the one in front is "
-        "taken to hide the other)",
-        scene.name, face_in_words(scene, low), face_in_words(scene, high));
+        "scene '{}': {} lie over each other, less than a millionth of their size apart (the one in front is taken to "
+        "hide the other)",
+        scene.name,
+        low == high ? "surfaces of " + face_in_words(scene, low)
+                    : fmt::format("{} and {}", face_in_words(scene, low), face_in_words(scene, high)));
     if (std::find(doubts.notes.begin(), doubts.notes.end(), note) == doubts.notes.end())
         doubts.notes.push_back(std::move(note));
 }
@@ -197,8 +199,15 @@ std::string how_to_turn(const Scene& scene, std::size_t faces) {
                                                           : "reverse the order of the corners of each polygon");
 }
 
+/// A mesh that is one face sees mostly itself where it is a room.
+void add_single_face(const Scene& scene, const SideProbes& probes, SceneDoubts& doubts) {
+    if (scene.faces.size() == 1 && is_read_as_obj(scene.name) && 2 * probes.met(0, 0, 0, 0) > probes.rays[0])
+        add(doubts.notes, scene, "all polygons are one face, which sees mostly itself (see --faces polygon)");
+}
+
 void add_orientation(const Scene& scene, SceneDoubts& doubts) {
     const SideProbes probes = probe_sides(scene);
+    add_single_face(scene, probes, doubts);
     const bool known = mirrors(scene).empty();
     if (known && is_inside_out(probes)) {
         // The outside of a convex body, alone in open space, looks like a room that is inside out.

@@ -39,10 +39,10 @@ class EnergyPlusZones {
                 spaces_.emplace(object.small_text("name"),
                                 std::pair(object.text("name"), object.small_text("zone_name")));
         }
+        if (zones_.empty()) throw UserError("{}: no zone (nothing would be computed). Add one.", file);
         if (!rules_are_read_)
             throw UserError(
                 "{}: no GlobalGeometryRules (it says which side of a surface faces the zone). Add the object.", file);
-        if (zones_.empty()) throw UserError("{}: no zone (nothing would be computed). Add one.", file);
         choose(wanted, objects);
     }
 

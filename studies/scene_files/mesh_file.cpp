@@ -28,6 +28,9 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// The library's name for a node that it puts above several.
+constexpr std::string_view name_of_added_root = "ROOT";
+
 /// Writes nodes as groups, with all places in the coordinates of the whole.
 class ObjWriter {
   public:
@@ -59,7 +62,7 @@ class ObjWriter {
     /// those of further nodes get a number.
     [[nodiscard]] std::string group_of(const aiNode& node, const aiMesh& mesh) {
         std::string name = meshes::as_word(node.mName.C_Str());
-        if (name.empty() || &node == scene_.mRootNode) name = meshes::as_word(mesh.mName.C_Str());
+        if (name.empty() || name == name_of_added_root) name = meshes::as_word(mesh.mName.C_Str());
         if (name.empty()) return std::string(meshes::unnamed_group);
         std::string& group = groups_[{&node, name}];
         if (group.empty()) group = name;
@@ -237,7 +240,7 @@ void expect_no_mesh(const std::filesystem::path& file, std::string_view bytes) {
 
 std::string mesh_as_obj(const std::filesystem::path& file) {
     const std::string name = file.string();
-    const std::string bytes = read_bytes(file);
+    const std::string bytes = with_line_feeds(read_bytes(file));
     if (bytes.empty()) throw IoError("{}: cannot be read (empty). Check the name and the permissions.", name);
     const auto* const kind = meshes::mesh_kind(bytes);
     if (kind == nullptr && has_extension(name, ".msh"))
@@ -253,6 +256,9 @@ std::string mesh_as_obj(const std::filesystem::path& file) {
     if (kind == nullptr && has_extension(name, ".off")) return meshes::read_off(name, bytes).as_obj();
     if (kind != nullptr && kind->read != nullptr) return kind->read(name, bytes).as_obj();
     if (kind != nullptr && !has_extension(name, kind->extension)) refuse_name(name, *kind);
+    if (kind == nullptr && has_extension(name, ".glb"))
+        throw UserError(
+            "{}: no binary glTF file (it would begin with 'glTF'). Rename it to end in .gltf if it is JSON.", name);
     return gltf_as_obj(name, bytes);
 }
 

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -25,6 +26,12 @@ namespace ff::studies {
 namespace {
 
 constexpr char up_in_scenes = 'z';
+/// Statements of OBJ files that add no polygon.
+constexpr std::array<std::string_view, 36> without_polygons{
+    "vt",     "vn",    "vp",         "p",         "l",        "s",    "mg",   "mtllib", "maplib",
+    "usemap", "bevel", "lod",        "c_interp",  "d_interp", "end",  "parm", "trim",   "hole",
+    "scrv",   "sp",    "con",        "cstype",    "deg",      "bmat", "step", "curv",   "curv2",
+    "ctech",  "stech", "shadow_obj", "trace_obj", "bzp",      "bsp",  "cdc",  "cdp",    "res"};
 
 /// The group, object and material of a polygon, as numbers of names.
 struct Owners {
@@ -68,13 +75,14 @@ class ObjReader {
     void read_line(std::uint64_t line, std::string_view text) {
         auto words = split_words(text);
         if (words.empty()) return;
-        const auto comment =
-            std::find_if(words.begin() + 1, words.end(), [](auto word) { return word.starts_with('#'); });
-        if (words[0] != "#") words.erase(comment, words.end());
         const std::string_view keyword = words[0];
+        const bool is_polygon = keyword == "f" || keyword == "fo";  // in older files
+        // Elsewhere what begins with # is a part of a name.
+        if (keyword == "v" || is_polygon)
+            words.erase(std::ranges::find_if(words, [](auto word) { return word.starts_with('#'); }), words.end());
         if (keyword == "v") {
             read_vertex(line, words);
-        } else if (keyword == "f") {
+        } else if (is_polygon) {
             read_polygon(line, words);
         } else if (keyword == "g") {
             owners_.group = names_.number(rest(words));
@@ -85,10 +93,18 @@ class ObjReader {
             owners_.material = names_.number(rest(words));
         } else if (keyword == "#") {
             read_comment(rest(words));
+        } else if (keyword == "surf" || keyword == "call" || keyword == "csh") {
+            builder_.fail(line, "'{}' {}. Write the scene as polygons, in one file.", keyword,
+                          keyword == "surf" ? "is a free-form surface (only polygons are read)"
+                                            : "takes what it adds from elsewhere (only this file is read)");
+        } else if (!keyword.starts_with('#') &&
+                   std::ranges::find(without_polygons, keyword) == without_polygons.end()) {
+            unknown_.emplace_back(line, keyword);
         }
     }
 
     SceneWithMaterials finish() {
+        remark_on_unknown();
         choose_faces();
         for (const Polygon& polygon : polygons_) add(polygon);
         if (scale_ != 1) builder_.remark("its lengths are multiplied by {}", scale_);
@@ -106,7 +122,8 @@ class ObjReader {
     std::vector<Polygon> polygons_;
     NumberedNames names_;
     Owners owners_;
-    std::string faces_;  ///< what a face is; empty: not said
+    std::vector<std::pair<std::uint64_t, std::string>> unknown_;  ///< lines and what they begin with
+    std::string faces_;                                           ///< what a face is; empty: not said
     bool closed_ = false;
     double scale_ = 1;
     char up_ = up_in_scenes;
@@ -176,6 +193,17 @@ class ObjReader {
         }
     }
 
+    void remark_on_unknown() {
+        if (unknown_.empty()) return;
+        const auto& [line, keyword] = unknown_.front();
+        if (polygons_.empty())
+            builder_.fail(line, "no line of an OBJ file begins with '{}', and none here with f. Check the format.",
+                          excerpt(keyword));
+        builder_.remark("{} with what is no statement of OBJ files, and {} passed over (the first, '{}', in line {})",
+                        unknown_.size() == 1 ? "a line begins" : fmt::format("{} lines begin", unknown_.size()),
+                        unknown_.size() == 1 ? "is" : "are", excerpt(keyword), line);
+    }
+
     [[nodiscard]] bool is_occluder(const Polygon& polygon) const {
         return names_[polygon.owners.group] == occluder_group || names_[polygon.owners.object] == occluder_group;
     }
@@ -194,14 +222,19 @@ class ObjReader {
     void choose_faces() {
         if (!faces_.empty()) return;
         faces_ = "group";
-        if (count(&Owners::group) > 1) return;
+        const std::size_t groups = count(&Owners::group);
         const std::size_t objects = count(&Owners::object);
         const std::size_t materials = count(&Owners::material);
-        if (std::max(objects, materials) < 2) return;
-        faces_ = objects > 1 ? "object" : "material";
-        builder_.remark(
-            "its faces are its {} {}s, since all polygons are of one group (with --faces group they are one face)",
-            objects > 1 ? objects : materials, faces_);
+        if (groups > 1) {
+            if (materials > groups)
+                builder_.remark("its faces are its {} groups or objects (with --faces material its {} materials)",
+                                groups, materials);
+        } else if (std::max(objects, materials) > 1) {
+            faces_ = objects > 1 ? "object" : "material";
+            builder_.remark(
+                "its faces are its {} {}s, since all polygons are of one group (with --faces group they are one face)",
+                objects > 1 ? objects : materials, faces_);
+        }
     }
 
     [[nodiscard]] std::string label_of(const Polygon& polygon) {

@@ -50,6 +50,7 @@ class Vs3Reader {
                 ended_ = true;
                 return;
             case 'T':
+            case 'X':  // passed over by View3D too
                 return;
             default:
                 builder_.fail(line,
@@ -83,6 +84,7 @@ class Vs3Reader {
         Scene scene = builder_.finish(closed_ && masks_.empty(), &materials_);
         scene.masks = std::move(masks_);
         materials_.resize(scene.faces.size());
+        materials_.insert(materials_.end(), materials_of_masks_.begin(), materials_of_masks_.end());
         return {std::move(scene), std::move(materials_)};
     }
 
@@ -97,6 +99,7 @@ class Vs3Reader {
     std::map<long, int> faces_;                       ///< faces by the number of a surface
     std::vector<MaskedPart> masks_;
     std::vector<FaceMaterial> materials_;
+    std::vector<FaceMaterial> materials_of_masks_;
     std::size_t moved_ = 0;  ///< number of parts that did not fit their bases because of rounding
     double most_moved_ = 0;
     bool closed_ = false;
@@ -221,6 +224,10 @@ class Vs3Reader {
                 builder_.fail(line, "control word '{}' has no number. Write {}=1.", excerpt(word), excerpt(word));
             } else if (small == "encl") {
                 closed_ = *value != 0;
+            } else if (small == "emit" && *value != 0) {
+                builder_.remark(
+                    "control word 'emit' asks for factors with emissivities, which ffstudy heat --gebhart "
+                    "gives; these are without");
             }
         }
     }
@@ -297,6 +304,8 @@ class Vs3Reader {
             builder_.fail(part.line,
                           "surface {} masks surface {}, which is no surface that radiates. Correct the base.",
                           part.number, part.base);
+        materials_of_masks_.emplace_back();
+        if (part.emissivity) materials_of_masks_.back().emissivities.push_back(*part.emissivity);
         masks_.push_back(
             {builder_.reserve_name(part.name), builder_.name_of(base->second), polygon_area(part.corners)});
     }

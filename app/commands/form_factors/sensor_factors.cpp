@@ -8,6 +8,7 @@
 #include "reports/csv/csv_records.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/text/text_table.hpp"
+#include "studies/form_factors/form_factors.hpp"
 #include "studies/form_factors/point_factors.hpp"
 #include "studies/readers/csv_reader.hpp"
 #include "studies/readers/text_file.hpp"
@@ -111,6 +112,23 @@ void say_what_sees_nothing(const std::vector<std::vector<PointFactor>>& factors)
         say("note: no face is seen from {} of {} points (the first is point {})\n", blind, factors.size(), first + 1);
 }
 
+/// In a closed scene whatever a point sees adds up to 1. @return whether it does
+bool adds_up(const Scene& scene, const std::vector<std::vector<PointFactor>>& factors) {
+    if (!studies::form_factors::rows_add_up(scene)) return true;
+    constexpr double rounding = 1e-6;
+    for (std::size_t point = 0; point < factors.size(); ++point) {
+        double most = 0;
+        for (const PointFactor& factor : factors[point]) most += factor.high;
+        if (most >= 1 - rounding) continue;
+        say("warning: the factors from point {} add up to {} in a closed scene: it lies outside or within a body, or "
+            "faces "
+            "out of the scene\n",
+            point + 1, most > rounding ? reports::brief(most, 3) : "0");
+        return false;
+    }
+    return true;
+}
+
 void print_factors(const Scene& scene, const std::vector<std::vector<PointFactor>>& factors) {
     reports::Table table{"sensors", "", "", reports::columns({">point", "to face", ">factor"})};
     for (std::size_t point = 0; point < std::min(most_shown, factors.size()); ++point) {
@@ -158,12 +176,13 @@ ExitCode sensor_factors(const FormFactorsCommand& command) {
         const Sensor& sensor = sensors[point];
         factors[point] = finder.from({sensor[0], sensor[1], sensor[2]}, normal_of(sensor));
     });
+    const bool sound = adds_up(kept.scene, factors) && doubts.faults.empty();
     if (!command.quiet) {
         say_what_sees_nothing(factors);
         print_factors(kept.scene, factors);
     }
     if (out) out->write("points.csv", [&](std::ostream& file) { write_factors(file, kept.scene, sensors, factors); });
-    return doubts.faults.empty() ? ExitCode::passed : ExitCode::inconclusive;
+    return sound ? ExitCode::passed : ExitCode::inconclusive;
 }
 
 }  // namespace ff::app

@@ -1,6 +1,7 @@
 #include "studies/scene_files/energyplus/input_file.hpp"
 
 #include "core/support/excerpt.hpp"
+#include "core/support/nearest_name.hpp"
 #include "core/support/words.hpp"
 #include "studies/readers/json_reader.hpp"
 
@@ -60,6 +61,18 @@ const Class* class_named(std::string_view name) {
         std::find_if(classes.begin(), classes.end(),
                      [small = in_small_letters(name)](const Class& one) { return one.name == small; });
     return found == classes.end() ? nullptr : found;
+}
+
+/// A class whose name is nearly that of one with geometry is meant to be that. (Pipe:Adiabatic is another.)
+/// @throws UserError
+void expect_no_misspelling(std::string_view file, std::uint64_t line, std::string_view name) {
+    std::vector<std::string_view> names;
+    for (const Class& one : classes) {
+        if (one.shape != Shape::none && one.name.substr(0, 4) == in_small_letters(name.substr(0, 4)))
+            names.push_back(one.name);
+    }
+    const std::string hint = did_you_mean(name, names);
+    if (!hint.empty()) fail_at(file, line, "class '{}' is unknown. {}", excerpt(name), trimmed(hint));
 }
 
 /// The values of an object, its class first.
@@ -142,7 +155,7 @@ class IdfReader {
 
     void add(const Values& values) {
         Object object{class_named(values[0].text), values[0].line, {}, {}};
-        if (object.kind == nullptr) return;
+        if (object.kind == nullptr) return expect_no_misspelling(file_, values[0].line, values[0].text);
         std::size_t at = 1;
         for (const std::string_view name : split_words(object.kind->fields)) {
             if (!has_field(name)) continue;
@@ -250,6 +263,7 @@ std::vector<Object> read_epjson(std::string_view file, std::string_view text) {
     std::vector<Object> objects;
     for (std::size_t k = 0; k < root.items.size(); ++k) {
         const Class* const kind = class_named(root.keys[k]);
+        if (kind == nullptr) expect_no_misspelling(file, line_of(root.items[k]), root.keys[k]);
         if (kind == nullptr) continue;
         const JsonValue& all = root.items[k];
         expect_object(file, all, root.keys[k]);

@@ -181,9 +181,11 @@ class GmshReader {
             return;
         }
         const std::uint64_t blocks = size();
-        for (int i = 0; i < (version_ == Version::four_1 ? 3 : 1); ++i)
-            static_cast<void>(size());  // all nodes; least and largest tag
+        const std::uint64_t nodes = size() + mesh_.point_count();
+        for (int i = 0; i < (version_ == Version::four_1 ? 2 : 0); ++i) static_cast<void>(size());  // tags
         for (std::uint64_t i = 0; i < blocks; ++i) read_node_block();
+        if (mesh_.point_count() != nodes)
+            in_.fail("{} nodes are announced, and {} follow. Write it again.", nodes, mesh_.point_count());
     }
 
     void read_node_block() {
@@ -207,7 +209,8 @@ class GmshReader {
         if (version_ == Version::two)
             return in_.encoding() == Encoding::text ? read_lines_of_elements() : read_runs_of_elements();
         const std::uint64_t blocks = size();
-        for (int i = 0; i < (version_ == Version::four_1 ? 3 : 1); ++i) static_cast<void>(size());
+        std::uint64_t left = size();
+        for (int i = 0; i < (version_ == Version::four_1 ? 2 : 0); ++i) static_cast<void>(size());  // tags
         for (std::uint64_t i = 0; i < blocks; ++i) {
             std::int64_t tag = integer();
             const std::int64_t second = integer();
@@ -215,6 +218,8 @@ class GmshReader {
             const GmshElement element = element_of(integer());
             const NumberType tag_type = version_ == Version::four_1 ? size_type_ : int32_type;
             const std::uint64_t count = size();
+            if (count > left) in_.fail("{} elements, where {} are left of those announced. Correct it.", count, left);
+            left -= count;
             const auto found = physical_of_surface_.find(tag);
             const auto physical = found == physical_of_surface_.end() ? std::vector<std::int64_t>() : found->second;
             for (std::uint64_t k = 0; k < count; ++k) {
@@ -222,6 +227,7 @@ class GmshReader {
                 add(element, number, physical, tag, in_.wholes(tag_type, element.nodes, 1));
             }
         }
+        if (left > 0) in_.fail("{} elements more are announced than there are. Write it again.", left);
     }
 
     /// Version 2 in text: number, type, number of tags, tags, nodes.

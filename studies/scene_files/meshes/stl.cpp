@@ -94,6 +94,8 @@ class StlTextReader {
 /// which of both is right.
 SurfaceMesh read_binary_stl(std::string_view file, std::string_view bytes) {
     MeshInput in(file, bytes);
+    if (bytes.find('\0') == std::string_view::npos)
+        in.fail("no STL file (its text would begin with 'solid'). Rename it, or write it again.");
     SurfaceMesh mesh(file);
     in.set_encoding(Encoding::little_endian);
     in.skip_bytes(std::min(stl_header, bytes.size()));

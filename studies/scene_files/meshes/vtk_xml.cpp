@@ -104,7 +104,7 @@ class XmlReader {
 
     [[nodiscard]] pugi::xml_node array_of(pugi::xml_node parent, const char* name) const {
         const pugi::xml_node array = parent.find_child_by_attribute("DataArray", "Name", name);
-        if (!array) refuse(file_, "{} has no array '{}'. Write it again.", parent.name(), name);
+        if (!array) refuse(file_, "array '{}' is missing. Write it again.", name);
         return array;
     }
 

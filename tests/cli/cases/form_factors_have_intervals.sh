@@ -94,7 +94,8 @@ expect_refused 3 "missing.obj"
 
 # A point that sees nothing leaves no line in the table, and is named instead.
 ffstudy form-factors box:4x3x2.5 --from point:2,1.5,0,0,0,-1
-expect_status 0
+expect_status 4
+expect_stderr "warning: the factors from point 1 add up to 0 in a closed scene"
 expect_stderr "note: no face is seen from point 1"
 printf 'x,y,z,nx,ny,nz\n2,1.5,1,0,0,1\n2,1.5,0,0,0,-1\n2,1,0,0,0,-1\n' >sensors.csv
 ffstudy form-factors box:4x3x2.5 --from sensors.csv

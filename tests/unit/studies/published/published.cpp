@@ -75,7 +75,7 @@ TEST(ParsePublishedTables, SaysWhereAndWhatIsWrong) {
         {replaced(R"("title": "one)", R"("titel": "one)"), R"(Did you mean "title"?)"},
         {replaced(R"("0.199820")", "0.199820"), "must be given as a string"},
         {replaced(R"("0.199820")", R"("0.19x820")"), "is not a printed number"},
-        {replaced(R"(["1.0", null])", R"(["1.0"])"), "has 1 figures but the table 2 columns"},
+        {replaced(R"(["1.0", null])", R"(["1.0"])"), "figures in the row: 1; columns of the table: 2"},
         {replaced(R"(["1.0", null])", R"(["1.0", "0.1"])"), "Write null here"},
         {replaced(R"("sum 2")", R"("total 2")"), "is not a quantity"},
         {replaced(R"("F 1-6")", R"("F 16")"), "is not a quantity"},

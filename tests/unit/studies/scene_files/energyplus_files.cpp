@@ -301,6 +301,9 @@ TEST(EnergyPlusFiles, AreRefusedWithTheirLine) {
              {old_rules + "Zone,Z;", "zone 'Z' has no surface that is read"},
          })
         EXPECT_THAT(refusal(text), HasSubstr(message));
+    EXPECT_THAT(refusal(replaced(room() + window("south wall"), "SURFACE:DETAILED, Pane", "SURFACE:DETAIL, Pane")),
+                HasSubstr("class 'FENESTRATIONSURFACE:DETAIL' is unknown"));
+    EXPECT_EQ(read_zone(room() + "Pipe:Adiabatic, pipe;\n").faces.size(), 6);
     EXPECT_THAT(refusal(json.substr(0, 900), "a.epJSON"), HasSubstr("this is not JSON"));
     EXPECT_THAT(refusal(replaced(json, "\"west\"", "\"east\""), "a.epJSON"), HasSubstr("stands twice in one object"));
     EXPECT_THAT(refusal(replaced(json, R"("Zone One": {"x_origin": 7})", R"("Zone One": [7])"), "a.epJSON"),

@@ -74,7 +74,8 @@ TEST(MeshFiles, AreTheSameRoomInEveryForm) {
         EXPECT_THAT(areas, AnyOf(ElementsAre(24, 16, 12), ElementsAre(52)));
         EXPECT_THAT(scene.remarks, testing::IsSubsetOf({"1 volume cell is left out (surfaces alone exchange radiation)",
                                                         "array 'part' tells its faces apart"}));
-        EXPECT_THAT(doubts_about(scene), testing::SizeIs(scene.remarks.size()));
+        const std::size_t sees_itself = scene.faces.size() == 1 ? 1 : 0;
+        EXPECT_THAT(doubts_about(scene), testing::SizeIs(scene.remarks.size() + sees_itself));
     }
 }
 
@@ -151,7 +152,7 @@ TEST(BrokenMeshFiles, AreRefusedWithTheReason) {
         {"room.vtu", "ascii", "NumberOfCells=\"8\"", "NumberOfCells=\"-8\"", "NumberOfCells is '-8'"},
         {"room.vtu", "ascii", "NumberOfCells=\"8\"", "NumberOfCells=\"7\"", "it has more than the 7 values"},
         {"room.vtu", "ascii", "</Cells>", "</Cell>", "room.vtu:22: no sound XML"},
-        {"room.vtu", "ascii", "Name=\"types\"", "Name=\"kinds\"", "Cells has no array 'types'"},
+        {"room.vtu", "ascii", "Name=\"types\"", "Name=\"kinds\"", "array 'types' is missing"},
         {"room.vtu", "ascii", "type=\"Float64\"", "type=\"Float80\"", "array 'Points' is of type 'Float80'"},
         {"room.vtu", "ascii", "type=\"UnstructuredGrid\"", "type=\"ImageData\"", "a file of type 'ImageData'"},
         {"room.vtu", "ascii", "\n3 9 9", "\n3 9 99", "room.vtu: cell 2 is of type 99"},
