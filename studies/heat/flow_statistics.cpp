@@ -98,27 +98,33 @@ std::optional<VectorXd> hidden_widths(const Sensitivity& sensitivity, const Matr
     return widths.array() + rounding * radiosity.cwiseAbs().maxCoeff();
 }
 
-/// All limits of flows, in order; null where a group has no share.
-std::vector<Bounds*> quantities(Flows& flows) {
-    std::vector<Bounds*> all;
-    for (FaceFlow& face : flows.faces)
-        all.insert(all.end(), {&face.radiosity, &face.irradiation, &face.net, &face.power, &face.temperature});
-    for (GroupFlow& group : flows.groups) all.insert(all.end(), {&group.power, group.share ? &*group.share : nullptr});
-    all.push_back(&flows.balance);
-    return all;
+/// Values of a quantity, each without one of the randomisations.
+using LeftOut = std::array<double, randomised>;
+
+double mean_of(const LeftOut& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / randomised;
 }
 
-/// Values of a quantity, each without one of the randomisations.
-struct LeftOut {
-    std::array<double, randomised> values{};
+double standard_error(const LeftOut& values) {
+    const double mean = mean_of(values);
+    double squares = 0;
+    for (const double value : values) squares += std::pow(value - mean, 2);
+    return std::sqrt((randomised - 1.0) / randomised * squares);
+}
 
-    [[nodiscard]] double mean() const { return std::accumulate(values.begin(), values.end(), 0.0) / randomised; }
-    [[nodiscard]] double standard_error() const {
-        double squares = 0;
-        for (const double value : values) squares += std::pow(value - mean(), 2);
-        return std::sqrt((randomised - 1.0) / randomised * squares);
-    }
-};
+/// The interval of a quantity, its bias taken out. @param hidden  what no spread shows, around its estimate
+Bounds interval(const Bounds& hidden, const LeftOut& left_out, double critical) {
+    const double bias = (randomised - 1) * (mean_of(left_out) - hidden.middle());
+    const double half = critical * standard_error(left_out);
+    return {hidden.low - bias - half, hidden.high - bias + half};
+}
+
+/// Sums over several faces, whose errors depend on each other.
+std::vector<Bounds*> sums_of(Flows& flows) {
+    std::vector<Bounds*> sums{&flows.balance};
+    for (GroupFlow& group : flows.groups) sums.push_back(&group.power);
+    return sums;
+}
 
 }  // namespace
 
@@ -133,30 +139,33 @@ std::optional<Flows> statistical_flows(const Scene& scene, const Matrix& matrix,
     Irradiation irradiation(scene, matrix, behind, laws);
     const std::optional<VectorXd> estimate = irradiation.from(std::nullopt);
     if (!hidden || !estimate) return std::nullopt;
-    Flows flows = flows_of({*estimate - *hidden, *estimate + *hidden});
-    const std::vector<Bounds*> limits = quantities(flows);
-    std::vector<LeftOut> left_out(limits.size());
+    Flows estimated = flows_of({*estimate - *hidden, *estimate + *hidden});
+    const std::vector<Bounds*> sums = sums_of(estimated);
+    std::vector<LeftOut> of_faces(matrix.faces());
+    std::vector<LeftOut> of_sums(sums.size());
     for (std::size_t r = 0; r < randomised; ++r) {
         const std::optional<VectorXd> without = irradiation.from(r);
         if (!without) return std::nullopt;
+        for (std::size_t face = 0; face < of_faces.size(); ++face)
+            of_faces[face].at(r) = (*without)[static_cast<Eigen::Index>(face)];
         Flows others = flows_of({*without, *without});
-        const std::vector<Bounds*> values = quantities(others);
-        for (std::size_t i = 0; i < limits.size(); ++i)
-            left_out[i].values.at(r) = values[i] == nullptr ? std::nan("") : values[i]->middle();
+        const std::vector<Bounds*> values = sums_of(others);
+        for (std::size_t i = 0; i < values.size(); ++i) of_sums[i].at(r) = values[i]->middle();
     }
-    const auto uncertain = std::ranges::count_if(left_out, [](const LeftOut& one) { return one.standard_error() > 0; });
-    const double tail = (1 - intervals.level) / 2 /
-                        (intervals.all_at_once ? static_cast<double>(std::max<std::ptrdiff_t>(1, uncertain)) : 1);
-    const double critical = stats::student_critical(randomised - 1, tail);
-    for (std::size_t i = 0; i < limits.size(); ++i) {
-        if (limits[i] == nullptr) continue;
-        const double bias = (randomised - 1) * (left_out[i].mean() - limits[i]->middle());
-        const double half = critical * left_out[i].standard_error();
-        *limits[i] = {limits[i]->low - bias - half, limits[i]->high - bias + half};
+    const double quantities = intervals.all_at_once ? static_cast<double>(of_faces.size() + of_sums.size()) : 1;
+    const double critical = stats::student_critical(randomised - 1, (1 - intervals.level) / 2 / quantities);
+    // All else about a face follows from its irradiation, which is never negative; shares follow from all faces.
+    IrradiationBounds limits{*estimate, *estimate};
+    for (std::size_t face = 0; face < of_faces.size(); ++face) {
+        const auto row = static_cast<Eigen::Index>(face);
+        const auto [low, high] =
+            interval({(*estimate - *hidden)[row], (*estimate + *hidden)[row]}, of_faces[face], critical);
+        limits.low[row] = std::max(0.0, low);
+        limits.high[row] = std::max(0.0, high);
     }
-    for (GroupFlow& group : flows.groups) {
-        if (group.share && std::isnan(group.share->low)) group.share.reset();
-    }
+    Flows flows = flows_of(limits);
+    const std::vector<Bounds*> wide_sums = sums_of(flows);
+    for (std::size_t i = 0; i < sums.size(); ++i) *wide_sums[i] = interval(*sums[i], of_sums[i], critical);
     if (form_factors::rows_add_up(scene)) flows.balance = {};  // with balanced factors as with the true ones
     flows.statistical = true;
     return flows;

@@ -89,13 +89,63 @@ facing = "outward"
     EXPECT_EQ(flows.balance.high, 0);
 }
 
+// Noise gives neutral faces small powers, which must not pass for sources; the fourth root of a noisy irradiation
+// bends.
+TEST(StatisticalFlows, HoldForSharesAndForTemperaturesOfTinyFaces) {
+    const Scene scene = make_scene(source_of_file("room.toml", R"(closed = true
+[[surface]]
+face = "wall"
+shape = "sphere"
+centre = [0, 0, 0]
+radius = 2
+facing = "inward"
+[[surface]]
+face = "lamp"
+shape = "sphere"
+centre = [0.7, 0.2, 0]
+radius = 0.01
+facing = "outward"
+[[surface]]
+face = "probe"
+shape = "sphere"
+centre = [-1, 0.3, 0]
+radius = 0.002
+facing = "outward"
+[[surface]]
+face = "bead"
+shape = "sphere"
+centre = [0, -1, 0.5]
+radius = 0.002
+facing = "outward"
+)"));
+    Materials materials = hot_and_cold(scene.faces.size());
+    materials.faces[1].temperature = 3000;
+    materials.groups = {{"lamp", {1}}, {"others", {0, 2, 3}}};
+    // Wall and lamp exchange as two concentric spheres do; the probe, a point, sees the lamp as a solid angle.
+    const double ratio = 1e-4 / 4;
+    const double leaving = stefan_boltzmann * (std::pow(3000, 4) - std::pow(300, 4)) / (2 + ratio);
+    const double of_lamp = stefan_boltzmann * std::pow(3000, 4) - leaving;
+    const double of_wall = stefan_boltzmann * std::pow(300, 4) + leaving * ratio;
+    const double seen = (1 - std::sqrt(1 - 1e-4 / (1.7 * 1.7 + 0.1 * 0.1))) / 2;
+    const double exact = std::pow((seen * of_lamp + (1 - seen) * of_wall) / stefan_boltzmann, 0.25);
+    int held = 0;
+    constexpr int seeds = 10;
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        const Flows found = find_flows(scene, sampled(scene, 0.01, seed), materials, 1, statistical);
+        ASSERT_TRUE(found.statistical);
+        EXPECT_TRUE(contains(*found.groups[0].share, 1)) << seed;
+        held += contains(found.faces[2].temperature, exact) ? 1 : 0;
+    }
+    EXPECT_GE(held, 5) << "fewer have a probability below 1e-4 where each holds with 0.95";
+}
+
 TEST(StatisticalFlows, AreWiderAllAtOnce) {
     const Scene scene = annulus_scene();
     const Materials materials = hot_and_cold(scene.faces.size());
     const form_factors::Matrix matrix = sampled(scene, 0.02, 1);
     const Flows each = find_flows(scene, matrix, materials, 1, statistical);
     const Flows all = find_flows(scene, matrix, materials, 1, {.statistical = true, .all_at_once = true});
-    EXPECT_LT(1.3 * each.faces[1].power.half_width(), all.faces[1].power.half_width());
+    EXPECT_LT(1.1 * each.faces[1].power.half_width(), all.faces[1].power.half_width());
 }
 
 TEST(StatisticalFlows, AreBoundsWithoutValuesOfRandomisations) {
