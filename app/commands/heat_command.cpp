@@ -220,8 +220,8 @@ ExitCode find_flows(const HeatCommand& command) {
             out->replace(matrix_store_file,
                          [&](const auto& store) { studies::form_factors::save_matrix(store, kept); });
     }
-    if (intervals.statistical && is_loaded && kept.matrix.randomisations.empty() && has_samples(kept.matrix) &&
-        !command.factors.quiet)
+    const bool lacks_values = kept.matrix.randomisations.empty() && has_samples(kept.matrix);
+    if (intervals.statistical && is_loaded && lacks_values && !command.factors.quiet)
         say("note: {} has no values of randomisations: intervals of flows are bounds. Add --randomisations where it "
             "is made.\n",
             command.factors.load.string());
@@ -233,6 +233,13 @@ ExitCode find_flows(const HeatCommand& command) {
     const bool trusted = studies::form_factors::is_trusted(kept.scene, kept.matrix, kept.request.tolerance);
     const reports::HeatReport report{
         kept.scene, kept.request, solved, tolerance, trusted, sampled ? &*sampled : nullptr, command.all_at_once};
+    for (const auto& one : solved) {
+        const bool falls_back = intervals.statistical && !one.flows.statistical && has_samples(kept.matrix);
+        if (falls_back && !lacks_values && !command.factors.quiet)
+            say("note: intervals of flows{} are bounds, since the factors are not known well enough for statistical "
+                "ones\n",
+                one.materials.name.empty() ? "" : fmt::format(" of case '{}'", one.materials.name));
+    }
     if (const auto widened = reports::widened_rows(report)) {
         say("note: {}\n", *widened);
         warnings.push_back(*widened);

@@ -65,6 +65,7 @@ std::string heat_json(const HeatReport& report, const HeatRequest& request, cons
                        {"sampled_for_flows", report.sampled != nullptr},
                        {"trusted", report.trusted},
                        {"level", report.request.level},
+                       {"simultaneous", report.all_at_once},
                        {"seed", report.request.seed.value},
                        {"materials", request.materials},
                        {"cases", std::move(cases)},

@@ -2,6 +2,7 @@
 
 #include "stats/basics/distributions.hpp"
 #include "studies/form_factors/amendments.hpp"
+#include "studies/form_factors/sampled_row.hpp"
 #include "studies/heat/sensitivity.hpp"
 
 #include <algorithm>
@@ -79,8 +80,9 @@ class Irradiation {
 };
 
 /// Half widths of irradiations that no spread shows, to first order; empty where that is not enough.
-std::optional<VectorXd> hidden_widths(const Sensitivity& sensitivity, const Matrix& matrix,
-                                      const ValuesBehind& behind) {
+/// @param rarer  how many times as much points may miss as at the level of `hidden`
+std::optional<VectorXd> hidden_widths(const Sensitivity& sensitivity, const Matrix& matrix, const ValuesBehind& behind,
+                                      double rarer) {
     std::vector<double> bounds(behind.size());
     std::vector<double> missed(behind.size());
     for (std::size_t i = 0; i < behind.size(); ++i) {
@@ -88,7 +90,7 @@ std::optional<VectorXd> hidden_widths(const Sensitivity& sensitivity, const Matr
         if (behind[i] == nullptr)
             bounds[i] = form_factors::half_width(exchange);
         else
-            missed[i] = static_cast<double>(behind[i]->hidden) * matrix.areas[exchange.from];
+            missed[i] = rarer * static_cast<double>(behind[i]->hidden) * matrix.areas[exchange.from];
     }
     constexpr double rounding = 1e-12;
     constexpr double small = 0.05;  // share of the differences that drive flows
@@ -135,7 +137,12 @@ std::optional<Flows> statistical_flows(const Scene& scene, const Matrix& matrix,
     const ValuesBehind behind = values_behind(matrix);
     const Sensitivity sensitivity(scene, matrix, materials, scale);
     if (!sensitivity.is_known()) return std::nullopt;
-    const std::optional<VectorXd> hidden = hidden_widths(sensitivity, matrix, behind);
+    const double tail = (1 - intervals.level) / 2;
+    const std::size_t quantities = matrix.faces() + materials.groups.size() + 1;
+    const double smaller = intervals.all_at_once ? tail / static_cast<double>(quantities) : tail;
+    // What may be missed grows with this power of the logarithm at most.
+    const double rarer = std::pow(std::log(smaller) / std::log(tail), form_factors::UnmetBound{}.power);
+    const std::optional<VectorXd> hidden = hidden_widths(sensitivity, matrix, behind, rarer);
     Irradiation irradiation(scene, matrix, behind, laws);
     const std::optional<VectorXd> estimate = irradiation.from(std::nullopt);
     if (!hidden || !estimate) return std::nullopt;
@@ -152,8 +159,7 @@ std::optional<Flows> statistical_flows(const Scene& scene, const Matrix& matrix,
         const std::vector<Bounds*> values = sums_of(others);
         for (std::size_t i = 0; i < values.size(); ++i) of_sums[i].at(r) = values[i]->middle();
     }
-    const double quantities = intervals.all_at_once ? static_cast<double>(of_faces.size() + of_sums.size()) : 1;
-    const double critical = stats::student_critical(randomised - 1, (1 - intervals.level) / 2 / quantities);
+    const double critical = stats::student_critical(randomised - 1, smaller);
     // All else about a face follows from its irradiation, which is never negative; shares follow from all faces.
     IrradiationBounds limits{*estimate, *estimate};
     for (std::size_t face = 0; face < of_faces.size(); ++face) {

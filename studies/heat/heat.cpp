@@ -93,9 +93,9 @@ FaceFlow flow_of(const Material& material, double area, Bounds irradiation) {
         flow.radiosity =
             flux == 0 ? irradiation : rounded(irradiation.low + flux, irradiation.high + flux, most + std::abs(flux));
         const double more = flux / *material.emissivity;
-        // A true irradiation is large enough; the low end of a wide interval need not be.
+        // A true irradiation is large enough; the ends of a wide interval, or an estimate, need not be.
         flow.temperature = {temperature_of_black_body(std::max(0.0, irradiation.low + more)),
-                            temperature_of_black_body(irradiation.high + more)};
+                            temperature_of_black_body(std::max(0.0, irradiation.high + more))};
     }
     flow.power = {flow.net.low * area, flow.net.high * area};
     return flow;
