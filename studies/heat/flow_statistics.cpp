@@ -61,9 +61,9 @@ class Irradiation {
         Matrix::Sparse factors = estimates_.factors();
         VectorXd out = VectorXd::Zero(factors.rows());
         if (adds_up_) {
-            Balanced balanced = form_factors::balance_within(matrix_, factors);
+            const Balanced balanced = form_factors::balance_within(matrix_, factors);
             if (!balanced.balanced) return std::nullopt;
-            factors = std::move(balanced.factors);
+            factors = balanced.factors;
         } else {
             out = (1 - (factors * VectorXd::Ones(factors.cols())).array()).max(0);
         }

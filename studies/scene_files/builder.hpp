@@ -51,7 +51,7 @@ class SceneBuilder {
     /// otherwise triangles. A remark is added where it is not plane to 1e-6 of its size, not convex, or runs
     /// back along itself.
     /// @pre it has an area @throws UserError where its edges cross each other, or it is too large
-    void add_polygon(const std::vector<Eigen::Vector3d>& corners, int face, std::uint64_t line);
+    void add_polygon(const std::vector<Eigen::Vector3d>& outline, int face, std::uint64_t line);
 
     /// Adds a remark about the scene as read, which may have values in it as for fmt::format.
     void remark(std::string text) { scene_.remarks.push_back(std::move(text)); }

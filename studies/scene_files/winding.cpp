@@ -2,11 +2,13 @@
 
 #include "core/geometry/convex_polygon.hpp"
 #include "core/geometry/place_numbers.hpp"
+#include "core/geometry/placement.hpp"
 #include "core/geometry/surface_map.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <set>
 #include <utility>

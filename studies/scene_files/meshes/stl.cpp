@@ -53,7 +53,7 @@ class StlTextReader {
     /// The rest of the line after `solid`, which ends where a file in a single line has its first facet.
     std::string name_of_solid() {
         const MeshInput beginning = in_;
-        const std::string line(in_.line());
+        std::string line(in_.line());
         const std::size_t facet = (" " + in_small_letters(line)).find(" facet normal ");
         if (facet == std::string::npos) return line;
         in_ = beginning;

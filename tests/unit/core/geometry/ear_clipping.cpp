@@ -72,7 +72,7 @@ TEST_P(RandomOutlines, AreCoveredOnceFromAnyCorner) {
     Corners outline = star();
     for (std::size_t i = 0; i < outline.size(); ++i) {
         expect_covers(outline);
-        std::ranges::rotate(outline, outline.begin() + 1);
+        std::rotate(outline.begin(), outline.begin() + 1, outline.end());
     }
 }
 
@@ -81,7 +81,7 @@ TEST_P(RandomOutlines, MayTouchThemselvesAtACorner) {
     for (const Vector3d& corner : star()) outline.push_back(-corner);
     for (std::size_t i = 0; i < outline.size(); ++i) {
         expect_covers(outline);
-        std::ranges::rotate(outline, outline.begin() + 1);
+        std::rotate(outline.begin(), outline.begin() + 1, outline.end());
     }
 }
 
@@ -91,7 +91,7 @@ TEST_P(RandomOutlines, MayHaveHolesThatTouchThemAtACorner) {
     outline.insert(outline.end(), hole.rbegin(), hole.rend() - 1);
     for (std::size_t i = 0; i < outline.size(); ++i) {
         expect_covers(outline);
-        std::ranges::rotate(outline, outline.begin() + 1);
+        std::rotate(outline.begin(), outline.begin() + 1, outline.end());
     }
 }
 

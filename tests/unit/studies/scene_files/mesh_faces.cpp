@@ -1,6 +1,7 @@
 // Which groups become faces where a mesh of gmsh or VTK has several ways to group its cells, and which notes report
 // that.
 #include "core/geometry/scene.hpp"
+#include "core/support/error.hpp"
 #include "studies/scene_files/meshes/formats.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
