@@ -9,6 +9,7 @@
 #include "core/support/error.hpp"
 #include "core/support/words.hpp"
 #include "reports/csv/heat_csv.hpp"
+#include "reports/files/array_files.hpp"
 #include "reports/html/scene_html.hpp"
 #include "reports/json/context_json.hpp"
 #include "reports/json/heat_json.hpp"
@@ -139,20 +140,51 @@ std::optional<studies::form_factors::KeptMatrix> kept_in_folder(const studies::f
         folder.string(), difference);
 }
 
-const std::vector<std::string> heat_files{"heat.csv",     "groups.csv",  "gebhart.csv",    "heat.json",
-                                          "context.json", "report.html", matrix_store_file};
+const std::vector<std::string> gebhart_files{"gebhart.csv", "gebhart.npz", "gebhart_half_widths.npz", "script_f.npz",
+                                             "script_f_half_widths.npz"};
+
+std::vector<std::string> heat_files() {
+    std::vector<std::string> all{"heat.csv",     "groups.csv",  "heat.json",
+                                 "context.json", "report.html", matrix_store_file};
+    all.insert(all.end(), gebhart_files.begin(), gebhart_files.end());
+    return all;
+}
+
+/// Both factors row by row, as CSV, and as sparse matrices of their middles and half widths. The last column of those
+/// of an open scene is the surroundings'.
+void write_gebhart_files(OutputFolder& folder, const Scene& scene,
+                         const std::vector<studies::heat::GebhartFactor>& factors) {
+    using studies::heat::Bounds;
+    using studies::heat::GebhartFactor;
+    folder.write("gebhart.csv", [&](std::ostream& file) { reports::write_gebhart_csv(file, scene, factors); });
+    const auto rows = static_cast<Eigen::Index>(scene.faces.size());
+    const auto columns = static_cast<Eigen::Index>(factors.size()) / rows;
+    for (const auto& [name, quantity] :
+         {std::pair("gebhart", &GebhartFactor::gebhart), std::pair("script_f", &GebhartFactor::script_f)}) {
+        for (const auto& [suffix, part] :
+             {std::pair("", &Bounds::middle), std::pair("_half_widths", &Bounds::half_width)}) {
+            std::vector<Eigen::Triplet<double>> entries;
+            for (const GebhartFactor& factor : factors)
+                entries.emplace_back(static_cast<int>(factor.from), static_cast<int>(factor.to),
+                                     ((factor.*quantity).*part)());
+            studies::form_factors::Matrix::Sparse matrix(rows, columns);
+            matrix.setFromTriplets(entries.begin(), entries.end());
+            folder.write(fmt::format("{}{}.npz", name, suffix),
+                         [&](std::ostream& file) { reports::write_sparse_npz(file, matrix); });
+        }
+    }
+}
 
 void write_heat_files(OutputFolder& folder, const HeatCommand& command, const studies::form_factors::KeptMatrix& kept,
                       const reports::HeatReport& report, const reports::HeatRequest& request,
                       const std::vector<std::string>& warnings) {
     folder.write("heat.csv", [&](std::ostream& file) { reports::write_heat_csv(file, report); });
     folder.write("groups.csv", [&](std::ostream& file) { reports::write_groups_csv(file, report); });
-    folder.remove("gebhart.csv");
-    if (command.gebhart) {
-        const auto gebhart =
-            studies::heat::find_gebhart_factors(kept.scene, kept.matrix, report.cases.front().materials);
-        folder.write("gebhart.csv", [&](std::ostream& file) { reports::write_gebhart_csv(file, kept.scene, gebhart); });
-    }
+    for (const std::string& file : gebhart_files) folder.remove(file);
+    if (command.gebhart)
+        write_gebhart_files(
+            folder, kept.scene,
+            studies::heat::find_gebhart_factors(kept.scene, kept.matrix, report.cases.front().materials));
     folder.write("heat.json", reports::heat_json(report, request, warnings));
     folder.write("context.json", reports::context_json(kept.context));
     const reports::FormFactorReport factors{kept.scene, kept.request, kept.matrix};
@@ -192,7 +224,7 @@ ExitCode find_flows(const HeatCommand& command) {
                                                  command.all_at_once};
     kept.request.randomisations = true;
     std::optional<OutputFolder> out;
-    if (!command.factors.out.empty()) out.emplace(command.factors.out, "heat", heat_files);
+    if (!command.factors.out.empty()) out.emplace(command.factors.out, "heat", heat_files());
     std::vector<std::string> warnings = warnings_about(cases);
     for (const std::string& warning : warnings) say("warning: {}\n", warning);
     std::optional<studies::heat::SampledFlows> sampled;
@@ -297,7 +329,7 @@ void add_heat(ProgramDefinition& program) {
     sub.option("--out", factors.out,
                "Folder for results and form factors, which the next run takes from there (default: none)",
                {.type = "DIR"});
-    sub.option(by_either_name, command.gebhart, "Also Gebhart factors and script-F, in gebhart.csv",
+    sub.option(by_either_name, command.gebhart, "Also Gebhart factors and script-F, as CSV and matrices",
                {.needs = {"--out"}});
     settle_by_load(sub, {"--materials", "--scale", "--flow-tolerance", "--out", by_either_name});
     add_verbosity(sub, factors.quiet, "Print errors and warnings only");

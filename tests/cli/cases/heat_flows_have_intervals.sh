@@ -133,6 +133,9 @@ script = {(r["from"], r["to"]): (float(r["script_f_low"]), float(r["script_f_hig
 for (a, b), (low, high) in script.items():
     back = script[b, a]
     assert areas[a] * low <= areas[b] * back[1] and areas[b] * back[0] <= areas[a] * high, (a, b)
+import zipfile
+for name in ("gebhart", "gebhart_half_widths", "script_f", "script_f_half_widths"):
+    assert {"data.npy", "indices.npy", "indptr.npy", "shape.npy"} <= set(zipfile.ZipFile(f"loaded/{name}.npz").namelist())
 PYTHON
 ffstudy form-factors furnace.obj --tolerance 1e-2 --out one_by_one --quiet
 ffstudy heat --load one_by_one --materials materials.toml
