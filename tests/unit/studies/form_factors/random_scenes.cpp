@@ -1,3 +1,4 @@
+#include "core/geometry/convex_polygon.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/visibility/facing.hpp"
 #include "core/visibility/occlusion.hpp"
