@@ -253,10 +253,11 @@ ExitCode find_flows(const HeatCommand& command) {
                          [&](const auto& store) { studies::form_factors::save_matrix(store, kept); });
     }
     const bool lacks_values = kept.matrix.randomisations.empty() && has_samples(kept.matrix);
-    if (intervals.statistical && is_loaded && lacks_values && !command.factors.quiet)
-        say("note: {} has no values of randomisations: intervals of flows are bounds. Add --randomisations where it "
-            "is made.\n",
-            command.factors.load.string());
+    if (intervals.statistical && (is_loaded || is_there) && lacks_values && !command.factors.quiet)
+        say("note: {} has no values of randomisations: intervals of flows are bounds. {}\n",
+            is_loaded ? command.factors.load.string() : command.factors.out.string(),
+            is_loaded ? "Add --randomisations where it is made."
+                      : "An earlier version of ffstudy made it; an empty folder gets them.");
     std::vector<studies::heat::SolvedCase> solved;
     if (sampled)
         solved.push_back({std::move(cases.front()), std::move(sampled->flows)});

@@ -35,6 +35,7 @@ std::vector<Vector3d> corners_between(const std::vector<LidPlane>& planes, std::
 }  // namespace
 
 std::vector<ConvexPolygon> closing_polygons(const ConvexPolygon& rim, const std::vector<LidPlane>& planes, double gap) {
+    if (rim.empty()) return {};
     const auto lies_in = [&](std::size_t plane, const Vector3d& place) {
         return planes[plane].absDistance(place) <= gap;
     };
