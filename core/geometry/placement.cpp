@@ -101,6 +101,7 @@ Scene placed(const Scene& scene, const Placement& placement) {
     }
     for (MaskedPart& part : result.masks) scale_area(part.area);
     result.coordinate_rounding /= placement.unit;
+    result.coordinate_step /= placement.unit;
     return result;
 }
 

@@ -130,6 +130,7 @@ struct Scene {
     std::vector<std::string> faces;  ///< face labels as reported, e.g. "1" .. "6"
     bool closed = false;             ///< every ray hits something: a ray that does not is lost
     double coordinate_rounding = 0;  ///< how much the coordinates of a file may be off, as far as their digits tell
+    double coordinate_step = 0;      ///< of decimals so few that they may be exact or rounded; 0 where there are more
     std::vector<CoveredPart> covered;
     std::vector<MaskedPart> masks;
     std::vector<std::string> remarks;  ///< what reading a file changed or left out, in words

@@ -27,6 +27,9 @@ constexpr double planes_off = 16;
 /// Surfaces are taken to lie in one plane if they are off it by at most this share of the smaller surface's size, which
 /// is the root of its area.
 constexpr double near = 1e-6;
+/// How many steps of coordinates what lies in a slanting plane may be apart once it is rounded to them. Planes along
+/// two axes stay as they were drawn: rounding moves all of them to the same place.
+constexpr double steps_off = 2;
 /// Places of a disc along each of its coordinates.
 constexpr int lattice = 32;
 
@@ -72,6 +75,11 @@ bool lie_in_one_plane(const Surface& a, const Surface& b, double gap) {
     return std::min(heights(a, b), heights(b, a)) <= gap;
 }
 
+/// Whether a surface lies in a plane along two of the axes.
+bool is_along_axes(const Surface& surface) {
+    return surface.normal.cwiseAbs().maxCoeff() > 1 - 1e-14;
+}
+
 }  // namespace
 
 double common_area(const Surface& a, const Surface& b) {
@@ -95,16 +103,20 @@ std::vector<LevelOverlap> level_overlaps(const Scene& scene) {
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
         const Surface& a = scene.surfaces[i];
         if (!is_flat(a.shape)) continue;
-        tree.within(boxes[i], std::max(gap, near * std::sqrt(area(a.shape))), [&](std::uint32_t j) {
+        const double doubt = is_along_axes(a) ? 0 : steps_off * scene.coordinate_step;
+        tree.within(boxes[i], std::max({gap, doubt, near * std::sqrt(area(a.shape))}), [&](std::uint32_t j) {
             const Surface& b = scene.surfaces[j];
             if (j <= i || !is_flat(b.shape)) return;
             const double smaller = std::min(area(a.shape), area(b.shape));
-            if (!lie_in_one_plane(a, b, std::max(gap, near * std::sqrt(smaller)))) return;
+            if (!lie_in_one_plane(a, b, std::max({gap, doubt, near * std::sqrt(smaller)}))) return;
             const double common = common_area(a, b);
             // Along its rim, which for what is long and thin is longer than the root of its area.
             const double rim = boxes[i].intersection(boxes[j]).diagonal().norm() + std::sqrt(smaller);
-            if (common <= std::max(least_share * smaller, 4 * gap / planes_off * rim)) return;
-            overlaps.push_back({i, j, a.normal.dot(b.normal) > 0, common, lie_in_one_plane(a, b, gap)});
+            const bool level = lie_in_one_plane(a, b, gap);
+            const double rounding = level ? 4 * gap / planes_off : doubt;
+            if (common <= std::max(least_share * smaller, rounding * rim)) return;
+            overlaps.push_back(
+                {i, j, a.normal.dot(b.normal) > 0, common, level, !level && lie_in_one_plane(a, b, doubt)});
         });
     }
     std::sort(overlaps.begin(), overlaps.end(), [](const LevelOverlap& a, const LevelOverlap& b) {

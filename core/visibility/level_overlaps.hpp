@@ -19,11 +19,13 @@ struct LevelOverlap {
     bool same_side = false;  ///< they radiate to the same side; else they are back to back, as the sides of a thin wall
     double area = 0;         ///< covered by both; approximate for discs
     bool level = true;       ///< they are within level_gap: coordinates do not tell which of them hides the other
+    bool in_doubt = false;   ///< nor do they here if they were rounded to the scene's coordinate_step
 };
 
 /// All overlaps of a scene that cover at least a millionth of the smaller surface, and more than rounding can cover
 /// along its rim; for discs, those that are found by a lattice of 1024 places. Those that are not level lie apart by a
-/// millionth of the smaller surface's size at most. Takes n log n steps for n surfaces with few neighbours each.
+/// millionth of the smaller surface's size at most or, on planes that slant, by what rounding to the scene's
+/// coordinate_step may do. Takes n log n steps for n surfaces with few neighbours each.
 std::vector<LevelOverlap> level_overlaps(const Scene& scene);
 
 /// The area of the first that the second covers, seen along the first's normal; for discs on a lattice of places.

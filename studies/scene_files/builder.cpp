@@ -309,6 +309,7 @@ Scene SceneBuilder::finish(bool closed, std::vector<FaceMaterial>* materials) {
     for (const Surface& surface : scene_.surfaces) box.extend(box_around(surface));
     const std::vector<double> coordinates(coordinates_.begin(), coordinates_.end());
     scene_.coordinate_rounding = coordinate_rounding(coordinates, box.sizes().maxCoeff());
+    scene_.coordinate_step = coordinate_step(coordinates, box.sizes().maxCoeff());
     cut_out_covered_parts(materials);
     if (scene_.faces.empty())
         throw UserError(

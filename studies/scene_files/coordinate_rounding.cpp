@@ -74,40 +74,71 @@ bool are_written_singles(std::span<const double> values, std::span<const Digits>
     return bits > 20 && 4 * odd >= telling;
 }
 
+/// What the numbers of a scene say of how they were rounded.
+class Decimals {
+  public:
+    explicit Decimals(std::span<const double> values) {
+        for (const double value : values) {
+            all_.push_back(digits_of(value));
+            largest_ = std::max(largest_, std::abs(value));
+            if (all_.back().significant > most_digits) continue;
+            decimals_ = std::max(decimals_, all_.back().decimals());
+            significant_ = std::max(significant_, all_.back().significant);
+        }
+    }
+
+    [[nodiscard]] std::span<const Digits> all() const { return all_; }
+    [[nodiscard]] double largest() const { return largest_; }
+    [[nodiscard]] int significant() const { return significant_; }          ///< at most, where a number is not full
+    [[nodiscard]] double unit() const { return std::pow(10, -decimals_); }  ///< of the last decimal of any
+
+    template <typename Holds>
+    [[nodiscard]] double share(const Holds& holds) const {
+        return static_cast<double>(std::count_if(all_.begin(), all_.end(), holds)) / static_cast<double>(all_.size());
+    }
+    /// The share of numbers that have this last decimal.
+    [[nodiscard]] double share_of_unit() const {
+        return share([&](const Digits& digits) { return digits.decimals() == decimals_; });
+    }
+
+  private:
+    std::vector<Digits> all_;
+    int decimals_ = 0;
+    int significant_ = 0;
+    double largest_ = 0;
+};
+
+/// A larger share of all numbers is most of them.
+constexpr double most = 0.5;
+
 }  // namespace
 
 double coordinate_rounding(std::span<const double> values, double size) {
-    std::vector<Digits> all;
-    int decimals = 0;
-    int significant = 0;
-    double largest = 0;
-    for (const double value : values) {
-        all.push_back(digits_of(value));
-        largest = std::max(largest, std::abs(value));
-        if (all.back().significant > most_digits) continue;
-        decimals = std::max(decimals, all.back().decimals());
-        significant = std::max(significant, all.back().significant);
-    }
-    const auto share = [&](const auto& holds) {
-        return static_cast<double>(std::count_if(all.begin(), all.end(), holds)) / static_cast<double>(all.size());
-    };
+    const Decimals decimals(values);
     const auto is_single = [](double value) { return are_same(static_cast<double>(static_cast<float>(value)), value); };
-    constexpr double most = 0.5;
-    if (share([](const Digits& digits) { return digits.significant > digits_of_single; }) > most &&
+    if (decimals.share([](const Digits& digits) { return digits.significant > digits_of_single; }) > most &&
         std::all_of(values.begin(), values.end(), is_single))
-        return largest * 0x1p-24;
-    if (are_written_singles(values, all)) return largest * 0x1p-24;
-    const double unseen =
-        largest > far_off * size ? 0.5 * std::pow(10, digits_of(largest).exponent + 1 - digits_of_double) : 0;
-    const double full = share([](const Digits& digits) { return digits.significant > most_digits; });
+        return decimals.largest() * 0x1p-24;
+    if (are_written_singles(values, decimals.all())) return decimals.largest() * 0x1p-24;
+    const int exponent = digits_of(decimals.largest()).exponent;
+    const double unseen = decimals.largest() > far_off * size ? 0.5 * std::pow(10, exponent + 1 - digits_of_double) : 0;
+    const double full = decimals.share([](const Digits& digits) { return digits.significant > most_digits; });
     if (full > most) return unseen;
+    const int significant = decimals.significant();
     if (significant < fewest_digits) return 0;
-    const double as_decimals = share([&](const Digits& digits) { return digits.decimals() == decimals; });
-    const double as_significant = share([&](const Digits& digits) { return digits.significant == significant; });
+    const double as_decimals = decimals.share_of_unit();
+    const double as_significant =
+        decimals.share([&](const Digits& digits) { return digits.significant == significant; });
     if (std::max(as_decimals, as_significant) <= most) return full > 0 ? unseen : 0;
-    if (as_decimals < as_significant) return 0.5 * std::pow(10, digits_of(largest).exponent + 1 - significant);
-    const double unit = std::pow(10, -decimals);
-    return unit > largest_unit * size ? 0 : 0.5 * unit;
+    if (as_decimals < as_significant) return 0.5 * std::pow(10, exponent + 1 - significant);
+    return decimals.unit() > largest_unit * size ? 0 : 0.5 * decimals.unit();
+}
+
+double coordinate_step(std::span<const double> values, double size) {
+    constexpr double coarsest = 0.01;  // share of the scene's size
+    if (coordinate_rounding(values, size) > 0) return 0;
+    const Decimals decimals(values);
+    return decimals.share_of_unit() > most && decimals.unit() <= coarsest * size ? decimals.unit() : 0;
 }
 
 }  // namespace ff::studies

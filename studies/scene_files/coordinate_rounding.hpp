@@ -13,4 +13,9 @@ namespace ff::studies {
 /// @param size    of the scene, in the same unit
 double coordinate_rounding(std::span<const double> values, double size);
 
+/// The unit of the last decimal where most coordinates have the same number of decimals, but so few that they may as
+/// well be exact, and coordinate_rounding is 0. 0 where there is none, or it is more than a hundredth of the scene's
+/// size. Takes the same values.
+double coordinate_step(std::span<const double> values, double size);
+
 }  // namespace ff::studies

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -64,6 +65,18 @@ void add_near(const Scene& scene, const LevelOverlap& overlap, SceneDoubts& doub
         doubts.notes.push_back(std::move(note));
 }
 
+/// Pairs of faces, or of a face and an occluder, that may have been drawn in one plane.
+void add_in_doubt(const Scene& scene, std::set<std::pair<int, int>> pairs, SceneDoubts& doubts) {
+    pairs.erase({-1, -1});
+    if (pairs.empty()) return;
+    const auto [low, high] = *pairs.begin();
+    add(doubts.faults, scene,
+        "{} and {}{} lie over each other, nearer than coordinates tell that may be rounded to {:.1g} (which of them "
+        "hides the other is not known). Write coordinates with more digits, or move them farther apart.",
+        face_in_words(scene, high), low == high ? "itself" : face_in_words(scene, low),
+        and_other_pairs(pairs.size() - 1), scene.coordinate_step);
+}
+
 void add_covered(const Scene& scene, SceneDoubts& doubts) {
     for (const CoveredPart& part : scene.covered) {
         const bool whole = part.area == part.whole;
@@ -97,7 +110,12 @@ void add_overlaps(const Scene& scene, SceneDoubts& doubts) {
     const Placement placement = placement_of(scene);
     const Scene where = placed(scene, placement);
     std::map<std::tuple<bool, int, int>, double> areas;  // keys: whether they face the same way, and the two faces
+    std::set<std::pair<int, int>> in_doubt;
     for (const LevelOverlap& overlap : level_overlaps(where)) {
+        if (overlap.in_doubt) {
+            in_doubt.insert(std::minmax(scene.surfaces[overlap.first].face, scene.surfaces[overlap.second].face));
+            continue;
+        }
         if (!overlap.level) {
             add_near(scene, overlap, doubts);
             continue;
@@ -106,6 +124,7 @@ void add_overlaps(const Scene& scene, SceneDoubts& doubts) {
         if (high < 0) continue;  // overlapping occluders are harmless
         areas[{overlap.same_side, low, high}] += overlap.area * placement.unit * placement.unit;
     }
+    add_in_doubt(scene, in_doubt, doubts);
     std::size_t back_to_back = 0;
     std::string an_example;
     for (const auto& [key, area] : areas) {

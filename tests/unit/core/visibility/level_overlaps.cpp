@@ -72,6 +72,18 @@ TEST(LevelOverlaps, AreLevelWithinTheRoundingOfCoordinates) {
     EXPECT_TRUE(level_overlaps(scene).front().level);
 }
 
+TEST(LevelOverlaps, AreInDoubtWithinTwoStepsOnSlantingPlanes) {
+    for (const double height : {0.0, 0.3e-3, -1.9e-3, 2.1e-3}) {
+        Scene scene =
+            test::faces_of({level_rectangle(0, 0, 1, 1), level_rectangle(0.2, 0.2, 0.2, 0.2, height, true)}, false);
+        scene.coordinate_step = 1e-3;
+        EXPECT_EQ(level_overlaps(scene).size(), height == 0 ? 1 : 0) << height;
+        const auto found = level_overlaps(turned(scene));
+        ASSERT_EQ(found.size(), height > 2e-3 ? 0 : 1) << height;
+        for (const LevelOverlap& overlap : found) EXPECT_EQ(overlap.in_doubt, height != 0) << height;
+    }
+}
+
 // The plane of a small surface is known less well than its place: at the far end of a wall it may be far off.
 TEST(LevelOverlaps, AreFoundForSmallSurfacesInTheRoundingOfTheirCorners) {
     for (const double size : {1e-1, 1e-4, 1e-7, 1e-10}) {

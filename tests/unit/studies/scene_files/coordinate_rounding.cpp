@@ -79,6 +79,16 @@ TEST(CoordinateRounding, IsZeroForFewDecimalsOfAFarScene) {
     EXPECT_DOUBLE_EQ(coordinate_rounding(std::vector<double>{500123.41, 500987.12, 4600045.93, 4600512.67}, 900), 5e-3);
 }
 
+TEST(CoordinateStep, IsTheLastDecimalOfNumbersThatMayBeRounded) {
+    EXPECT_DOUBLE_EQ(coordinate_step(written("{:.3f}", 5), 5), 1e-3);
+    EXPECT_DOUBLE_EQ(coordinate_step(written("{:.0f}", 5000), 5000), 1);
+    EXPECT_EQ(coordinate_step(written("{:.6f}"), 1), 0) << "these are known to be rounded";
+    EXPECT_EQ(coordinate_step(written("{:.17g}"), 1), 0);
+    EXPECT_EQ(coordinate_step(std::vector<double>{0.5, 2.75, 4, 3, 1.5, 0.125}, 4), 0) << "few have three decimals";
+    EXPECT_EQ(coordinate_step(std::vector<double>{1, 2, 3}, 3), 0) << "coarse";
+    EXPECT_EQ(coordinate_step({}, 1), 0);
+}
+
 TEST(CoordinateRounding, RecognisesDecimalsReadOneUlpOff) {
     std::vector<double> values = written("{:.6f}");
     for (double& value : values) value = std::nextafter(value, 1);

@@ -124,19 +124,29 @@ TEST(SceneDoubts, NameFacesThatAreNearlyInOnePlane) {
     EXPECT_THAT(doubts.notes, ElementsAre(HasSubstr("less than a millionth of their size apart")));
 }
 
-// A picture on a turned wall, with coordinates of six decimals: their rounding puts it partly in front and partly
-// behind.
-TEST(SceneDoubts, TrustCoordinatesOnlyToTheirDigits) {
+/// A picture on a wall along u and v, with so many decimals: their rounding puts it partly in front and partly behind.
+Scene wall_with_picture(const Eigen::Vector3d& u, const Eigen::Vector3d& v, int decimals) {
     std::string text;
     for (const auto& [x, y] :
          {std::pair(0.0, 0.0), {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}, {0.3, 0.4}, {0.6, 0.4}, {0.6, 0.7}, {0.3, 0.7}}) {
-        const Eigen::Vector3d place = x * Eigen::Vector3d(0.8, 0.36, 0.48) + y * Eigen::Vector3d(-0.6, 0.48, 0.64);
-        text += fmt::format("v {:.6f} {:.6f} {:.6f}\n", place.x() / 2.71, place.y() / 2.71, place.z() / 2.71);
+        const Eigen::Vector3d place = (x * u + y * v) / 2.71;
+        text += fmt::format("v {0:.{3}f} {1:.{3}f} {2:.{3}f}\n", place.x(), place.y(), place.z(), decimals);
     }
-    text += "g wall\nf 1 2 3\nf 1 3 4\ng picture\nf 5 6 7\nf 5 7 8\n";
-    const Scene scene = read_obj(text);
+    return read_obj(text + "g wall\nf 1 2 3\nf 1 3 4\ng picture\nf 5 6 7\nf 5 7 8\n");
+}
+
+TEST(SceneDoubts, TrustCoordinatesOnlyToTheirDigits) {
+    const Eigen::Vector3d u(0.8, 0.36, 0.48);
+    const Eigen::Vector3d v(-0.6, 0.48, 0.64);
+    const Scene scene = wall_with_picture(u, v, 6);
     EXPECT_DOUBLE_EQ(scene.coordinate_rounding, 5e-7);
     EXPECT_THAT(examine_scene(scene).faults, ElementsAre(HasSubstr("lie over each other in one plane")));
+    EXPECT_THAT(examine_scene(wall_with_picture(u, v, 3)).faults,
+                ElementsAre(HasSubstr("nearer than coordinates tell that may be rounded to 0.001")));
+    // Along the axes all of a plane is rounded to the same place.
+    const Scene upright = wall_with_picture({1, 0, 0}, {0, 1, 0}, 3);
+    EXPECT_DOUBLE_EQ(upright.coordinate_step, 1e-3);
+    EXPECT_THAT(examine_scene(upright).faults, ElementsAre(HasSubstr("lie over each other in one plane")));
 }
 
 TEST(SceneDoubts, AreFaultsWhereCoordinatesAreTooCoarse) {
