@@ -3,10 +3,10 @@
 #include "core/estimators/rays/ray_shooting.hpp"
 #include "core/geometry/box.hpp"
 #include "core/geometry/scene.hpp"
+#include "core/support/instruction_sets.hpp"
 #include "samplers/sampler.hpp"
 
 #include <benchmark/benchmark.h>
-#include <hwy/targets.h>
 
 #include <cstdint>
 #include <string>
@@ -35,21 +35,6 @@ void run_trials(benchmark::State& state, const char* sampler, TracerChoice choic
                            benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// Restricts Highway to one instruction set while it lives.
-class InstructionSet {
-  public:
-    explicit InstructionSet(std::int64_t target) { choose(target); }
-    ~InstructionSet() { choose(0); }
-    InstructionSet(const InstructionSet&) = delete;
-    InstructionSet& operator=(const InstructionSet&) = delete;
-
-  private:
-    static void choose(std::int64_t target) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    }
-};
-
 /// The tracer alone: one block of points, traced again and again from all patches.
 void trace_only(benchmark::State& state) {
     const Scene scene = make_box(6, 6, 6);
@@ -77,15 +62,16 @@ const bool registered = [] {
     }
     benchmark::RegisterBenchmark("trial/embree/random", run_trials, "random", TracerChoice::embree)
         ->Unit(benchmark::kMillisecond);
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        const std::string name = hwy::TargetName(target);
-        benchmark::RegisterBenchmark(("trial/box/random/" + name).c_str(), [target](benchmark::State& state) {
-            const InstructionSet only(target);
+    for (const std::string& set : instruction_sets()) {
+        benchmark::RegisterBenchmark(("trial/box/random/" + set).c_str(), [set](benchmark::State& state) {
+            use_instruction_set(set);
             run_trials(state, "random", TracerChoice::box);
+            use_instruction_set("");
         })->Unit(benchmark::kMillisecond);
-        benchmark::RegisterBenchmark(("box_tracer/" + name).c_str(), [target](benchmark::State& state) {
-            const InstructionSet only(target);
+        benchmark::RegisterBenchmark(("box_tracer/" + set).c_str(), [set](benchmark::State& state) {
+            use_instruction_set(set);
             trace_only(state);
+            use_instruction_set("");
         })->Unit(benchmark::kMillisecond);
     }
     return true;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <hwy/targets.h>
+#include "core/support/instruction_sets.hpp"
 
-#include <cstdint>
+#include <string>
 #include <vector>
 
 namespace ff::test {
@@ -12,13 +12,11 @@ namespace ff::test {
 template <class Body>
 auto with_each_instruction_set(Body body) {
     std::vector<decltype(body())> results;
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    for (const std::string& set : instruction_sets()) {
+        use_instruction_set(set);
         results.push_back(body());
     }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    use_instruction_set("");
     return results;
 }
 
