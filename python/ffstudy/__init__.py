@@ -71,14 +71,15 @@ def _scene(scene):
     return os.path.basename(file) + before_zone + zone, _core.read_scene_file(file)
 
 
-def _obj(vertices, faces, names):
+def _obj(vertices, faces, names, closed):
     """The text of an OBJ file; numbers are written so that they read back to the same bits."""
     vertices = numpy.asarray(vertices, dtype=float)
     if vertices.ndim != 2 or vertices.shape[1] != 3:
         raise InputError(f"vertices: an array of shape {vertices.shape} (expected (vertices, 3)). Give x, y, z.")
     if names is not None and len(names) != len(faces):
         raise InputError(f"names: {len(names)} (there are {len(faces)} faces). Give one for each.")
-    lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in vertices.tolist()]
+    lines = ["# closed"] if closed else []
+    lines += [f"v {x!r} {y!r} {z!r}" for x, y, z in vertices.tolist()]
     for number, face in enumerate(faces):
         corners = [int(corner) for corner in face]
         if any(corner < 0 or corner >= len(vertices) for corner in corners):
@@ -93,15 +94,19 @@ def _obj(vertices, faces, names):
     return text if names is not None else _core.with_faces_of_polygons(text)
 
 
-def _scene_or_polygons(caller, scene, vertices, faces, names):
+def _scene_or_polygons(caller, scene, vertices, faces, names, closed):
     """Name and text of the scene that was given as one, or as polygons."""
     if (scene is None) == (vertices is None or faces is None):
         raise InputError(f"{caller}: a scene, or vertices and faces (expected one of the two). Give one.")
-    return _scene(scene) if scene is not None else ("polygons.obj", _obj(vertices, faces, names))
+    if scene is None:
+        return "polygons.obj", _obj(vertices, faces, names, closed)
+    if closed:
+        raise InputError(f"{caller}: closed belongs to vertices and faces (a file says it itself). Leave it out.")
+    return _scene(scene)
 
 
 def form_factors(scene: Optional[SceneFile] = None, *, vertices=None, faces: Optional[Sequence[Sequence[int]]] = None,
-                 names: Optional[Sequence[str]] = None, tolerance: float = 1e-5, level: float = 0.95,
+                 names: Optional[Sequence[str]] = None, closed: bool = False, tolerance: float = 1e-5, level: float = 0.95,
                  simultaneous: bool = False, seed: int = 0, threads: Optional[int] = None,
                  max_samples: int = 1_000_000_000) -> FormFactors:
     """All form factors of a scene, exactly where geometry allows it and by sampling elsewhere.
@@ -110,12 +115,13 @@ def form_factors(scene: Optional[SceneFile] = None, *, vertices=None, faces: Opt
         with a zone: "house.idf zone:Attic").
     vertices, faces: instead of it, an array (vertices, 3) and the corners of each polygon, counted from 0 and
         counter-clockwise as seen from the side that radiates. `names` gives faces names; faces of one name are one.
+        `closed` says that every ray hits one of them.
     tolerance: largest half width of an interval.   level: of the intervals, above 0.5.
     simultaneous: the level is that of all entries and row sums at once.   max_samples: rays and points in all.
 
     Raises InputError, FileError; KeyboardInterrupt on Ctrl-C.
     """
-    name, text = _scene_or_polygons("form_factors", scene, vertices, faces, names)
+    name, text = _scene_or_polygons("form_factors", scene, vertices, faces, names, closed)
     found = _core.form_factors(name, text, tolerance, level, simultaneous, seed, _threads(threads), max_samples)
     return FormFactors(found.factors, found.half_widths, numpy.array(found.areas), found.names, found.missed,
                        found.trusted, found.samples, found.faults, found.notes)
@@ -161,13 +167,13 @@ def _materials(names, emissivity, temperature, flux, surroundings):
 
 
 def heat(scene: Optional[SceneFile] = None, materials: Optional[SceneFile] = None, *, vertices=None,
-         faces: Optional[Sequence[Sequence[int]]] = None, names: Optional[Sequence[str]] = None, emissivity=None,
-         temperature=None, flux=None, surroundings: Optional[float] = None, scale: float = 1, tolerance: float = 1e-4,
-         level: float = 0.95, seed: int = 1, threads: Optional[int] = None,
+         faces: Optional[Sequence[Sequence[int]]] = None, names: Optional[Sequence[str]] = None, closed: bool = False,
+         emissivity=None, temperature=None, flux=None, surroundings: Optional[float] = None, scale: float = 1,
+         tolerance: float = 1e-4, level: float = 0.95, seed: int = 1, threads: Optional[int] = None,
          max_samples: int = 1_000_000_000, interval: str = "statistical") -> Heat:
     """Heat between the faces of a scene, as `ffstudy heat` finds it.
 
-    scene, or vertices, faces and names: as for form_factors.
+    scene, or vertices, faces, names and closed: as for form_factors.
     materials: a materials file (docs/heat.md).
     emissivity, temperature, flux, surroundings: instead of it, one value for all faces or an array (faces,), in K and
         W/m². A face has a temperature or a flux; the other is NaN.
@@ -179,7 +185,7 @@ def heat(scene: Optional[SceneFile] = None, materials: Optional[SceneFile] = Non
     """
     if interval not in ("statistical", "bound"):
         raise InputError(f"heat: interval = {interval!r} (expected 'statistical' or 'bound'). Take one of them.")
-    name, text = _scene_or_polygons("heat", scene, vertices, faces, names)
+    name, text = _scene_or_polygons("heat", scene, vertices, faces, names, closed)
     arrays = [emissivity, temperature, flux, surroundings]
     if (materials is None) == all(values is None for values in arrays):
         raise InputError("heat: a materials file, or emissivity with temperature or flux (expected one of the two). "

@@ -110,6 +110,7 @@ def form_factors(
     vertices: Optional[numpy.typing.ArrayLike] = None,
     faces: Optional[Sequence[Sequence[int]]] = None,
     names: Optional[Sequence[str]] = None,
+    closed: bool = False,
     tolerance: float = 1e-5,
     level: float = 0.95,
     simultaneous: bool = False,
@@ -124,6 +125,7 @@ def heat(
     vertices: Optional[numpy.typing.ArrayLike] = None,
     faces: Optional[Sequence[Sequence[int]]] = None,
     names: Optional[Sequence[str]] = None,
+    closed: bool = False,
     emissivity: Optional[numpy.typing.ArrayLike] = None,
     temperature: Optional[numpy.typing.ArrayLike] = None,
     flux: Optional[numpy.typing.ArrayLike] = None,
@@ -134,6 +136,7 @@ def heat(
     seed: int = 1,
     threads: Optional[int] = None,
     max_samples: int = 1_000_000_000,
+    interval: str = "statistical",
 ) -> Heat: ...
 def check(
     estimates: Union[SceneFile, Mapping[str, numpy.typing.ArrayLike], numpy.ndarray, Any],
