@@ -27,8 +27,7 @@ constexpr double planes_off = 16;
 /// Surfaces are taken to lie in one plane if they are off it by at most this share of the smaller surface's size, which
 /// is the root of its area.
 constexpr double near = 1e-6;
-/// How many steps of coordinates what lies in a slanting plane may be apart once it is rounded to them. Planes along
-/// two axes stay as they were drawn: rounding moves all of them to the same place.
+/// How many steps of coordinates what lies in a slanting plane may be apart once it is rounded to them.
 constexpr double steps_off = 2;
 /// Places of a disc along each of its coordinates.
 constexpr int lattice = 32;
@@ -75,11 +74,6 @@ bool lie_in_one_plane(const Surface& a, const Surface& b, double gap) {
     return std::min(heights(a, b), heights(b, a)) <= gap;
 }
 
-/// Whether a surface lies in a plane along two of the axes.
-bool is_along_axes(const Surface& surface) {
-    return surface.normal.cwiseAbs().maxCoeff() > 1 - 1e-14;
-}
-
 }  // namespace
 
 double common_area(const Surface& a, const Surface& b) {
@@ -95,6 +89,14 @@ double level_gap(const Scene& scene) {
                      planes_off * scene.coordinate_rounding});
 }
 
+double doubtful_gap(const Scene& scene) {
+    return steps_off * scene.coordinate_step;
+}
+
+bool is_along_axes(const Surface& surface) {
+    return surface.normal.cwiseAbs().maxCoeff() > 1 - 1e-14;
+}
+
 std::vector<LevelOverlap> level_overlaps(const Scene& scene) {
     const std::vector<Eigen::AlignedBox3d> boxes = boxes_around(scene.surfaces);
     const double gap = level_gap(scene);
@@ -103,7 +105,7 @@ std::vector<LevelOverlap> level_overlaps(const Scene& scene) {
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
         const Surface& a = scene.surfaces[i];
         if (!is_flat(a.shape)) continue;
-        const double doubt = is_along_axes(a) ? 0 : steps_off * scene.coordinate_step;
+        const double doubt = is_along_axes(a) ? 0 : doubtful_gap(scene);
         tree.within(boxes[i], std::max({gap, doubt, near * std::sqrt(area(a.shape))}), [&](std::uint32_t j) {
             const Surface& b = scene.surfaces[j];
             if (j <= i || !is_flat(b.shape)) return;

@@ -12,6 +12,13 @@ namespace ff {
 /// another either hides it or is level with it.
 double level_gap(const Scene& scene);
 
+/// How far apart surfaces on a slanting plane may lie that were drawn in one plane, if coordinates were rounded to the
+/// scene's coordinate_step; 0 where there is no such step.
+double doubtful_gap(const Scene& scene);
+
+/// Whether a surface lies in a plane along two of the axes: rounding moves all of such a plane to the same place.
+bool is_along_axes(const Surface& surface);
+
 /// Two surfaces that overlap in one plane, or nearly.
 struct LevelOverlap {
     std::uint32_t first = 0;  ///< index of a surface

@@ -173,6 +173,8 @@ TableCell likeness_in_words(const RunComparison& comparison, const CellCompariso
             return {fmt::format("DIFFERENT: {} by {:+.2e}",
                                 quantity_label(scene_of(comparison, cell), cell.largest_pair), cell.largest_difference),
                     mark};
+        case Basis::completed_differently:
+            return {"no test: the same trials, completed in two ways", mark};
         case Basis::mixed:
             break;
     }

@@ -45,7 +45,7 @@ Table cells_table(const RunComparison& comparison) {
     Table table{
         "runs",
         "Method by method",
-        "RMSE of a run against the exact form factors." +
+        "RMSE of a run against the exact form factors, where they are known." +
             (comparison.tests == 0
                  ? std::string()
                  : fmt::format(" Verdicts: means by Welch's t, standard deviations by intervals of the logarithm of "
@@ -71,6 +71,7 @@ Table cells_table(const RunComparison& comparison) {
                  plain_rmse(comparison.first.cells[compared.first], ratio.pair_class),
                  plain_rmse(comparison.second.cells[compared.second], ratio.pair_class), std::exchange(verdict, {})});
         }
+        if (compared.ratios.empty()) table.rows.push_back({method, size, trials, "–", "–", "–", verdict});
     }
     return table;
 }

@@ -3,6 +3,7 @@
 #include "reports/pictures/pictures.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/words/answer.hpp"
+#include "reports/words/findings/letters.hpp"
 #include "studies/comparison/ranking.hpp"
 #include "studies/diagnostics/coverage.hpp"
 

@@ -8,9 +8,9 @@ namespace {
 /// Where the lines that continue this one begin.
 std::size_t hanging_indent(std::string_view line, std::size_t width) {
     const std::size_t blanks = std::min(line.find_first_not_of(' '), line.size());
-    const std::size_t gap = line.find("  ", blanks);
-    if (gap == std::string_view::npos) return blanks;
-    const std::size_t text = std::min(line.find_first_not_of(' ', gap), line.size());
+    const std::size_t end_of_name = line.find("  ", blanks);
+    if (end_of_name == std::string_view::npos) return blanks;
+    const std::size_t text = std::min(line.find_first_not_of(' ', end_of_name), line.size());
     const std::size_t column = visible_length(line.substr(0, text));
     return column <= width / 2 ? column : blanks + 4;
 }

@@ -45,6 +45,30 @@ std::vector<std::string> row_labels(const Axis& y) {
     return labels;
 }
 
+/// The end of an axis of counts: whole where that is short.
+std::string count_text(double value) {
+    return value < 1e6 ? fmt::format("{:g}", value) : fmt::format("{:.3g}", value);
+}
+
+/// What the letters mean, in lines of at most this width beside their indent.
+std::string key(const std::vector<std::string>& entries, std::size_t indent, std::size_t width) {
+    std::string out;
+    std::size_t column = width;
+    for (const std::string& entry : entries) {
+        const bool fits = column + 3 + visible_length(entry) <= width;
+        if (fits) {
+            out += "   ";
+            column += 3;
+        } else {
+            out += fmt::format("{}{:>{}}", out.empty() ? "" : "\n", "", indent);
+            column = 0;
+        }
+        out += entry;
+        column += visible_length(entry);
+    }
+    return out + "\n";
+}
+
 }  // namespace
 
 std::string text_plot(const std::vector<PlottedSeries>& all, std::size_t width, std::size_t height) {
@@ -62,15 +86,19 @@ std::string text_plot(const std::vector<PlottedSeries>& all, std::size_t width, 
     if (!(x.low < x.high) || !(y.low < y.high)) return {};
 
     std::vector<std::string> rows(height, std::string(width, ' '));
-    std::string names;
+    std::vector<std::string> names;
+    bool shared = false;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const char letter = static_cast<char>('a' + i);
         for (const auto& [at, value] : all[i].points) {
             char& place = rows[height - 1 - y.cell(value)][x.cell(at)];
-            place = place == ' ' || place == letter ? letter : '*';
+            const bool is_free = place == ' ' || place == letter;
+            shared = shared || !is_free;
+            place = is_free ? letter : '*';
         }
-        names += fmt::format("{}{} {}", i == 0 ? "" : "   ", letter, all[i].name);
+        names.push_back(fmt::format("{} {}", letter, all[i].name));
     }
+    if (shared) names.emplace_back("* several");
 
     const auto labels = row_labels(y);
     std::size_t margin = 0;
@@ -82,10 +110,10 @@ std::string text_plot(const std::vector<PlottedSeries>& all, std::size_t width, 
     }
     std::string line;
     for (std::size_t i = 0; i < width; ++i) line += "─";
-    const std::string first = fmt::format("{:g}", x.low);
+    const std::string first = count_text(x.low);
     out += fmt::format("{:>{}} └{}\n", "", margin, line);
-    out += fmt::format("{:>{}}  {}{:>{}}\n", "", margin, first, fmt::format("{:g}", x.high), width - first.size());
-    return out + fmt::format("{:>{}}  {}\n", "", margin, names);
+    out += fmt::format("{:>{}}  {}{:>{}}\n", "", margin, first, count_text(x.high), width - first.size());
+    return out + key(names, margin + 2, width);
 }
 
 }  // namespace ff::reports

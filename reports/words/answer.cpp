@@ -1,4 +1,5 @@
 #include "reports/words/answer.hpp"
+#include "reports/words/findings/letters.hpp"
 
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"

@@ -31,10 +31,11 @@ struct Test {
     std::optional<stats::MeanEvidence> means{};               ///< their difference, for a test of these
 };
 
-Basis basis_of(const Cell& first, const Cell& second) {
+Basis basis_of(const Cell& first, const Cell& second, bool completed_alike) {
     if (first.deterministic && second.deterministic) return Basis::deterministic;
     if (first.deterministic || second.deterministic) return Basis::mixed;
-    return first.key == second.key ? Basis::same_random_numbers : Basis::independent;
+    if (first.key != second.key) return Basis::independent;
+    return completed_alike ? Basis::same_random_numbers : Basis::completed_differently;
 }
 
 std::vector<ChangedScene> changed_scenes(const StudyPlan& first, const StudyPlan& second) {
@@ -59,14 +60,6 @@ std::optional<std::size_t> counterpart(const StudyPlan& plan, const Scene& scene
             return i;
     }
     return std::nullopt;
-}
-
-/// Pairs that are free in at least one of two cells.
-std::vector<Quantity> pairs_of(const CellEstimates& estimates, const StudyPlan& a, const Cell& cell_a,
-                               const StudyPlan& b, const Cell& cell_b) {
-    const auto completion_a = a.spec.methods[cell_a.method].completion;
-    const auto completion_b = b.spec.methods[cell_b.method].completion;
-    return distinct_pairs(estimates.faces, completion_a == completion_b ? completion_a : Completion::direct);
 }
 
 std::vector<RmseRatio> ratios_of(const CellAnalysis& first, const CellAnalysis& second, Basis basis) {
@@ -304,11 +297,14 @@ RunComparison compare_runs(const Store& first, const Store& second, std::array<s
         CellComparison& compared = out.cells.emplace_back();
         compared.first = i;
         compared.second = *other;
-        compared.basis = basis_of(cell, b.cells[*other]);
+        const Completion completion = a.spec.methods[cell.method].completion;
+        const bool completed_alike = b.spec.methods[b.cells[*other].method].completion == completion;
+        compared.basis = basis_of(cell, b.cells[*other], completed_alike);
         compared.ratios = ratios_of(out.first.cells[i], out.second.cells[*other], compared.basis);
         const auto in_a = load_estimates(first, i);
         const auto in_b = load_estimates(second, *other);
-        const auto pairs = pairs_of(in_a, a, cell, b, b.cells[*other]);
+        // Those that are free in at least one of the two.
+        const auto pairs = distinct_pairs(in_a.faces, completed_alike ? completion : Completion::direct);
         compared.pairs = pairs.size();
         if (in_a.trials() == 0 || in_b.trials() == 0) continue;  // one of the runs has just begun
         switch (compared.basis) {
@@ -322,6 +318,7 @@ RunComparison compare_runs(const Store& first, const Store& second, std::array<s
             case Basis::deterministic:
                 compare_values(in_a, in_b, pairs, compared);
                 break;
+            case Basis::completed_differently:
             case Basis::mixed:
                 break;
         }

@@ -16,10 +16,11 @@ namespace ff::studies {
 
 /// How the trials of two runs of one method and size are related.
 enum class Basis {
-    independent,          ///< other random numbers: compared by tests
-    same_random_numbers,  ///< the same seed and the same points: compared trial by trial, to the bit
-    deterministic,        ///< both are deterministic: compared by value
-    mixed,                ///< only one of them is deterministic
+    independent,            ///< other random numbers: compared by tests
+    same_random_numbers,    ///< the same seed and the same points: compared trial by trial, to the bit
+    completed_differently,  ///< the same trials, made complete in two ways: neither equal nor independent
+    deterministic,          ///< both are deterministic: compared by value
+    mixed,                  ///< only one of them is deterministic
 };
 
 /// RMSE of a class of pairs in both runs.

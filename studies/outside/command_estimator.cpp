@@ -138,8 +138,9 @@ class RowReader {
         const auto value = finite_number(record[column].text);
         constexpr double largest = 1e75;
         if (!value || std::abs(*value) > largest)
-            reader_.fail(record[column], fmt::format("{} = '{}' (not a finite number). Print it like 0.19982.",
-                                                     names.at(column), record[column].text));
+            reader_.fail(record[column],
+                         fmt::format("{} = '{}' (not a number of at most 1e75 in size). Print it like 0.19982.",
+                                     names.at(column), record[column].text));
         return *value;
     }
 

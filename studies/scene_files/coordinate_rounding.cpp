@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace ff::studies {
@@ -91,14 +92,22 @@ class Decimals {
     [[nodiscard]] double largest() const { return largest_; }
     [[nodiscard]] int significant() const { return significant_; }          ///< at most, where a number is not full
     [[nodiscard]] double unit() const { return std::pow(10, -decimals_); }  ///< of the last decimal of any
+    /// The unit of the last significant digit of the largest number, where that has as many as any.
+    [[nodiscard]] double significant_unit() const {
+        return std::pow(10, digits_of(largest_).exponent + 1 - significant_);
+    }
 
     template <typename Holds>
     [[nodiscard]] double share(const Holds& holds) const {
         return static_cast<double>(std::count_if(all_.begin(), all_.end(), holds)) / static_cast<double>(all_.size());
     }
-    /// The share of numbers that have this last decimal.
-    [[nodiscard]] double share_of_unit() const {
-        return share([&](const Digits& digits) { return digits.decimals() == decimals_; });
+    [[nodiscard]] double share_of_decimals(int decimals) const {
+        return share([&](const Digits& digits) { return digits.decimals() == decimals; });
+    }
+    /// The share of numbers that have the last decimal of any.
+    [[nodiscard]] double share_of_unit() const { return share_of_decimals(decimals_); }
+    [[nodiscard]] double share_of_significant() const {
+        return share([&](const Digits& digits) { return digits.significant == significant_; });
     }
 
   private:
@@ -111,6 +120,20 @@ class Decimals {
 /// A larger share of all numbers is most of them.
 constexpr double most = 0.5;
 
+/// The largest unit that all numbers are multiples of, within this distance; 0 where there is none but rounding.
+double common_unit(std::span<const double> values, double rounding) {
+    double unit = 0;
+    for (const double value : values) {
+        for (double rest = std::abs(value); rest > rounding;) {
+            const double next = std::abs(std::remainder(unit, rest));
+            unit = std::exchange(rest, next);
+        }
+        // Differences of large numbers leave few digits; as a share of one of them the unit has all again.
+        if (unit > rounding) unit = std::abs(value) / std::round(std::abs(value) / unit);
+    }
+    return unit > 20 * rounding ? unit : 0;
+}
+
 }  // namespace
 
 double coordinate_rounding(std::span<const double> values, double size) {
@@ -120,25 +143,37 @@ double coordinate_rounding(std::span<const double> values, double size) {
         std::all_of(values.begin(), values.end(), is_single))
         return decimals.largest() * 0x1p-24;
     if (are_written_singles(values, decimals.all())) return decimals.largest() * 0x1p-24;
-    const int exponent = digits_of(decimals.largest()).exponent;
-    const double unseen = decimals.largest() > far_off * size ? 0.5 * std::pow(10, exponent + 1 - digits_of_double) : 0;
+    const double unseen = decimals.largest() > far_off * size
+                              ? 0.5 * std::pow(10, digits_of(decimals.largest()).exponent + 1 - digits_of_double)
+                              : 0;
     const double full = decimals.share([](const Digits& digits) { return digits.significant > most_digits; });
     if (full > most) return unseen;
-    const int significant = decimals.significant();
-    if (significant < fewest_digits) return 0;
+    if (decimals.significant() < fewest_digits) return 0;
     const double as_decimals = decimals.share_of_unit();
-    const double as_significant =
-        decimals.share([&](const Digits& digits) { return digits.significant == significant; });
+    const double as_significant = decimals.share_of_significant();
     if (std::max(as_decimals, as_significant) <= most) return full > 0 ? unseen : 0;
-    if (as_decimals < as_significant) return 0.5 * std::pow(10, exponent + 1 - significant);
+    if (as_decimals < as_significant) return 0.5 * decimals.significant_unit();
     return decimals.unit() > largest_unit * size ? 0 : 0.5 * decimals.unit();
 }
 
 double coordinate_step(std::span<const double> values, double size) {
-    constexpr double coarsest = 0.01;  // share of the scene's size
-    if (coordinate_rounding(values, size) > 0) return 0;
+    constexpr double coarsest = 0.01;  // share of the scene's size, as the next two
+    constexpr double coarsest_unit = 0.005;
+    constexpr double finest = 1e-7;
+    constexpr double often = 0.3;  // a larger share of numbers with so many decimals is no chance
     const Decimals decimals(values);
-    return decimals.share_of_unit() > most && decimals.unit() <= coarsest * size ? decimals.unit() : 0;
+    double step = 0;
+    const auto consider = [&](double unit) {
+        if (unit <= coarsest * size) step = std::max(step, unit);
+    };
+    for (int count = 0; count < most_digits; ++count) {
+        if (decimals.share_of_decimals(count) > often) consider(std::pow(10, -count));
+    }
+    if (decimals.share_of_significant() > most) consider(decimals.significant_unit());
+    const double unit = common_unit(values, finest * size);
+    if (unit <= coarsest_unit * size) consider(unit);
+    // What is known to be rounded needs no doubt.
+    return step > std::max(finest * size, 3 * coordinate_rounding(values, size)) ? step : 0;
 }
 
 }  // namespace ff::studies

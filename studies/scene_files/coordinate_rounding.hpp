@@ -13,9 +13,9 @@ namespace ff::studies {
 /// @param size    of the scene, in the same unit
 double coordinate_rounding(std::span<const double> values, double size);
 
-/// The unit of the last decimal where most coordinates have the same number of decimals, but so few that they may as
-/// well be exact, and coordinate_rounding is 0. 0 where there is none, or it is more than a hundredth of the scene's
-/// size. Takes the same values.
+/// The unit to which coordinates may have been rounded, or else are exact, for they are so few: of the last decimal
+/// that a third of them share, of the last significant digit of most, or the largest that all are multiples of. 0 where
+/// that is more than a hundredth of the scene's size, or coordinate_rounding is as large. Takes the same values.
 double coordinate_step(std::span<const double> values, double size);
 
 }  // namespace ff::studies

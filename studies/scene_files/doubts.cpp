@@ -1,6 +1,7 @@
 #include "core/geometry/placement.hpp"
 #include "core/visibility/level_overlaps.hpp"
 #include "core/visibility/mirrors.hpp"
+#include "core/visibility/standing.hpp"
 #include "studies/readers/printable.hpp"
 #include "studies/scene_files/formats.hpp"
 #include "studies/scene_files/orientation.hpp"
@@ -65,16 +66,43 @@ void add_near(const Scene& scene, const LevelOverlap& overlap, SceneDoubts& doub
         doubts.notes.push_back(std::move(note));
 }
 
+/// Faces of which a body may cover a part.
+void add_grounds_in_doubt(const Scene& scene, SceneDoubts& doubts) {
+    std::set<std::size_t> grounds;
+    for (const std::uint32_t surface : grounds_in_doubt(scene)) {
+        if (scene.surfaces[surface].face >= 0) grounds.insert(static_cast<std::size_t>(scene.surfaces[surface].face));
+    }
+    if (grounds.empty()) return;
+    add(doubts.faults, scene,
+        "a body may stand on {}: coordinates that may be rounded to {:.1g} do not tell (what it covers is not left "
+        "out). "
+        "Write coordinates with more digits, or cut the face out beneath it.",
+        names(scene, {grounds.begin(), grounds.end()}), scene.coordinate_step);
+}
+
 /// Pairs of faces, or of a face and an occluder, that may have been drawn in one plane.
 void add_in_doubt(const Scene& scene, std::set<std::pair<int, int>> pairs, SceneDoubts& doubts) {
     pairs.erase({-1, -1});
-    if (pairs.empty()) return;
+    if (pairs.empty()) return add_grounds_in_doubt(scene, doubts);
     const auto [low, high] = *pairs.begin();
     add(doubts.faults, scene,
         "{} and {}{} lie over each other, nearer than coordinates tell that may be rounded to {:.1g} (which of them "
         "hides the other is not known). Write coordinates with more digits, or move them farther apart.",
         face_in_words(scene, high), low == high ? "itself" : face_in_words(scene, low),
         and_other_pairs(pairs.size() - 1), scene.coordinate_step);
+}
+
+void add_round_bodies(const Scene& scene, SceneDoubts& doubts) {
+    std::set<std::pair<int, int>> faces;
+    for (const auto& [body, ground] : round_bodies_on_surfaces(scene))
+        faces.emplace(scene.surfaces[body].face, scene.surfaces[ground].face);
+    for (const auto& [body, ground] : faces) {
+        if (ground < 0) continue;
+        add(doubts.notes, scene,
+            "{} stands on {} (what round surfaces cover is not left out: it counts as a part of the face that nothing "
+            "else reaches). To leave it out, cut it out in the file, or make polygons by 'ffstudy convert --facets'.",
+            face_in_words(scene, body), face_in_words(scene, ground));
+    }
 }
 
 void add_covered(const Scene& scene, SceneDoubts& doubts) {
@@ -285,7 +313,10 @@ SceneDoubts examine_scene(const Scene& scene) {
     if (scene.empty_box) return doubts;
     add_remarks(scene, doubts);
     add_covered(scene, doubts);
-    if (scene.surfaces.size() <= most_surfaces_examined) add_winding(scene, doubts);
+    if (scene.surfaces.size() <= most_surfaces_examined) {
+        add_winding(scene, doubts);
+        add_round_bodies(scene, doubts);
+    }
     add_overlaps(scene, doubts);
     if (scene.faces.size() <= most_faces_examined) {
         add_resolution(scene, doubts);

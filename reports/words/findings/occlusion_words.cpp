@@ -101,6 +101,12 @@ std::vector<std::pair<std::string, int>> most_wins(const StudyResults& results,
     return wins;
 }
 
+/// The method that is shown to have the smallest error on most of some pairs; null where there is none.
+const std::pair<std::string, int>* most_often_least(const std::vector<std::pair<std::string, int>>& wins,
+                                                    std::size_t pairs) {
+    return !wins.empty() && 2 * static_cast<std::size_t>(wins.front().second) > pairs ? &wins.front() : nullptr;
+}
+
 /// How a method without a variance in some of these scenes is to be replaced there: "; where its variance is infinite,
 /// take Sobol' rays (least on 2 of 3 pairs)", by the method whose error is shown to be least in most of them; empty
 /// where no such method has one.
@@ -169,23 +175,27 @@ std::optional<Slowed> slowest_where_occluded(const StudyResults& results) {
 std::string occlusion_advice(const StudyResults& results) {
     const auto hidden = scenes_where(results, std::mem_fn(&HiddenPair::is_partly_hidden));
     const auto open = scenes_where(results, is_open);
-    const auto best = most_wins(results, hidden);
-    const auto best_open = most_wins(results, open);
-    std::string text = best.empty()
-                           ? fmt::format("where a part is occluded, no method is shown to err least on any of {}",
-                                         counted(hidden.size(), "pair"))
-                           : fmt::format(
-                                 "take {} where a part is occluded: at about equal evaluations it errs least on "
-                                 "{} of {}",
-                                 best.front().first, best.front().second, counted(hidden.size(), "pair"));
-    const std::string instead =
-        best.empty() ? std::string() : where_variance_is_infinite(results, hidden, best.front().first);
-    if (!instead.empty())
-        text += instead;
-    else if (best.size() > 1)
-        text += fmt::format(", {} on {}", best[1].first, best[1].second);
-    if (!best_open.empty() && (best.empty() || best_open.front().first != best.front().first))
-        text += fmt::format("; unoccluded ({}), take {}", counted(open.size(), "pair"), best_open.front().first);
+    const auto wins = most_wins(results, hidden);
+    const auto wins_open = most_wins(results, open);
+    const auto* const best = most_often_least(wins, hidden.size());
+    const auto* const best_open = most_often_least(wins_open, open.size());
+    const std::string pairs = counted(hidden.size(), "pair");
+    std::string text;
+    if (best == nullptr) {
+        text = fmt::format("where a part is occluded, no method is shown to err least on {} of {}",
+                           wins.empty() ? "any" : "most", pairs);
+        if (!wins.empty()) text += fmt::format(" ({} on {})", wins.front().first, wins.front().second);
+    } else {
+        text = fmt::format("take {} where a part is occluded: at about equal evaluations it errs least on {} of {}",
+                           best->first, best->second, pairs);
+        const std::string instead = where_variance_is_infinite(results, hidden, best->first);
+        if (!instead.empty())
+            text += instead;
+        else if (wins.size() > 1)
+            text += fmt::format(", {} on {}", wins[1].first, wins[1].second);
+    }
+    if (best_open != nullptr && (best == nullptr || best_open->first != best->first))
+        text += fmt::format("; unoccluded ({}), take {}", counted(open.size(), "pair"), best_open->first);
     return text;
 }
 

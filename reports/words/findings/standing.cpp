@@ -3,6 +3,7 @@
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/findings/equal_cost.hpp"
+#include "reports/words/findings/letters.hpp"
 #include "studies/comparison/ranking.hpp"
 
 #include <fmt/format.h>
@@ -261,8 +262,17 @@ void rank_variances_of_size(const StudyResults& results, Ranking& ranking, doubl
                                                         : from_to(brief(best.last), brief(best.best));
         ranking.leaders = best.names;
         ranking.margin = fmt::format("varies {} times less than random points", much);
-        ranking.said += fmt::format("{} {} the least variance, {} times less than random points", listed(best.names),
-                                    best.one() ? "has" : "have", much);
+        ranking.said += fmt::format(
+            "{}, {} times less than random points",
+            best.one() ? listed(best.names) + " has the least variance" : best.tied("have the least variance"), much);
+        std::vector<std::string> unshown;
+        for (const RankedMethod& each : ranking.methods) {
+            const bool leads = std::ranges::find(best.names, each.label) != best.names.end();
+            if (leads && each.interval && each.interval->low <= 1) unshown.push_back(each.label);
+        }
+        if (!unshown.empty())
+            ranking.said += fmt::format("; {} {} not shown to vary less than these", listed(unshown),
+                                        unshown.size() == 1 ? "is" : "are");
     }
 }
 
@@ -310,18 +320,6 @@ RankedMethod ranked_cell(const studies::StudyPlan& plan, const Ranked& one, std:
             one.interval,
             std::nullopt,
             std::move(group)};
-}
-
-std::string letter(std::span<const Ranked> ranked, const Ranked& one) {
-    const bool groups = std::any_of(ranked.begin(), ranked.end(), [](const Ranked& each) { return each.group > 0; });
-    return groups ? std::string(1, static_cast<char>('a' + std::min<std::size_t>(one.group, 25))) : std::string();
-}
-
-std::string letters_in_words(double level, std::size_t blocks) {
-    return fmt::format(
-        "Methods with the same letter are not shown to differ from the first of them ({:g} % over all pairs of "
-        "methods{}). Errors so rare that no trial met them could change this.",
-        100 * (1 - level), blocks > 1 ? " in all blocks" : "");
 }
 
 std::string smallest_errors(const studies::Analysis& findings, std::span<const std::size_t> cells,

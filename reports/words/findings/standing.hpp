@@ -62,11 +62,6 @@ std::vector<Ranking> rank_variances(const studies::StudyResults& results);
 /// A cell in a ranking of cells.
 RankedMethod ranked_cell(const studies::StudyPlan& plan, const studies::Ranked& one, std::string group);
 
-/// Letter of a group: a for the best; empty where all are in one.
-std::string letter(std::span<const studies::Ranked> ranked, const studies::Ranked& one);
-/// The meaning of the letters, which hold together in all blocks of a picture.
-std::string letters_in_words(double level, std::size_t blocks);
-
 /// Which of these methods and sizes have the smallest errors; "" where none has a variance.
 std::string smallest_errors(const studies::Analysis& findings, std::span<const std::size_t> cells,
                             PairClass pair_class);

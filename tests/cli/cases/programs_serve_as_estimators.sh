@@ -100,7 +100,7 @@ refuse 2 garbage 'does not begin with the line from,to,estimate'
 refuse 2 gap "no line from face '2' to '5'"
 refuse 2 twice 'this pair stands here again'
 refuse 2 stranger "'ceiling' is not a face of the scene. They are 1, 2"
-refuse 2 nan "estimate = 'nan' (not a finite number)"
+refuse 2 nan "estimate = 'nan' (not a number of at most 1e75 in size)"
 
 # What cannot be: no scene, divided faces, curved ones in a format of polygons, a program that fails or hangs.
 # refuse_study CODE TEXT [OPTION...]

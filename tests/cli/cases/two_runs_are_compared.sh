@@ -50,6 +50,25 @@ ffstudy compare a again
 expect_status 0
 expect_stdout "the same random numbers, equal in all 200 trials"
 
+# The same trials completed in two ways are neither equal nor independent.
+study random 1 | sed 's/^estimator = "ray_shooting"/&\ncompletion = "reciprocal"/' >reciprocal.toml
+study random 1 | sed 's/^estimator = "ray_shooting"/&\ncompletion = "direct"/' >direct.toml
+for completion in reciprocal direct; do ffstudy run $completion.toml --out $completion --quiet; done
+ffstudy compare direct reciprocal
+expect_stdout "no test: the same trials, completed in two ways"
+
+# Verdicts where no exact value is known, and so no error.
+printf 'v %s\n' '0 0 0' '1 0 0' '1 1 0' '0 1 0' '0 0 1' '0.9 0.1 1.1' '1 1 1.2' '0 1 1.1' >open.obj
+printf 'g below\nf 1 2 3\nf 1 3 4\ng above\nf 7 6 5\nf 8 7 5\n' >>open.obj
+for sampler in random patch_centres; do
+    study $sampler 1 open.obj | sed '/PDM/,$d' | sed '$d' >open_$sampler.toml
+    ffstudy run open_$sampler.toml --out open_$sampler --quiet
+    expect_status 0
+done
+ffstudy compare open_random open_patch_centres
+expect_status 1
+expect_stdout "DIFFERENT: mean of F"
+
 # Broken: it is seen, and where the studies differ is said. The report is the same each time.
 for out in one two; do
     ffstudy compare a broken --out $out

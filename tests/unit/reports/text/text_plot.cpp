@@ -20,11 +20,18 @@ TEST(TextPlot, PlacesLettersOnLogarithmicAxes) {
 }
 
 TEST(TextPlot, MarksPlacesThatSeriesShare) {
-    const std::string plot = text_plot({{"one", {{1, 1}, {4, 0.5}}}, {"two", {{1, 1}, {4, 0.25}}}}, 8, 5);
+    const std::string plot = text_plot({{"one", {{1, 1}, {4, 0.5}}}, {"two", {{1, 1}, {4, 0.25}}}}, 20, 5);
     EXPECT_THAT(plot, HasSubstr("┤*\n"));
-    EXPECT_THAT(plot, HasSubstr("│       a\n"));
-    EXPECT_THAT(plot, HasSubstr("┤       b\n"));
-    EXPECT_THAT(plot, HasSubstr("a one   b two\n"));
+    EXPECT_THAT(plot, HasSubstr("│                   a\n"));
+    EXPECT_THAT(plot, HasSubstr("┤                   b\n"));
+    EXPECT_THAT(plot, HasSubstr("  a one   b two\n"));
+    EXPECT_THAT(plot, HasSubstr("  * several\n"));
+}
+
+TEST(TextPlot, ShortensLargeCounts) {
+    const std::string plot = text_plot({{"x", {{360000, 0.05}, {25704900, 0.0016}}}});
+    EXPECT_THAT(plot, HasSubstr(" 360000  "));
+    EXPECT_THAT(plot, HasSubstr("2.57e+07\n"));
 }
 
 TEST(TextPlot, LabelsItsEndsWhereNoPowerOfTenIsNear) {

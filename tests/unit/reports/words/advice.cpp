@@ -141,6 +141,13 @@ TEST(OcclusionAdvice, NamesAnotherMethodWhereTheVarianceIsInfinite) {
                   "where its variance is infinite, take " + second + " (least on 1 of 1 pair)");
     results.occlusion.front().scenes.back().decided = false;
     EXPECT_THAT(occlusion_advice(results), testing::Not(testing::HasSubstr(second)));
+    // One win of many recommends nothing.
+    auto& pairs = results.occlusion.front().scenes;
+    pairs[1].decided = false;
+    EXPECT_EQ(occlusion_advice(results),
+              "where a part is occluded, no method is shown to err least on most of 3 pairs (" + first + " on 1)");
+    pairs[0].decided = false;
+    EXPECT_EQ(occlusion_advice(results), "where a part is occluded, no method is shown to err least on any of 3 pairs");
 }
 
 TEST(CoverageAdvice, RecommendsTheRuleNowhereShortWithTheFewestReplicates) {

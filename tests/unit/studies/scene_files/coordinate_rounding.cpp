@@ -84,9 +84,22 @@ TEST(CoordinateStep, IsTheLastDecimalOfNumbersThatMayBeRounded) {
     EXPECT_DOUBLE_EQ(coordinate_step(written("{:.0f}", 5000), 5000), 1);
     EXPECT_EQ(coordinate_step(written("{:.6f}"), 1), 0) << "these are known to be rounded";
     EXPECT_EQ(coordinate_step(written("{:.17g}"), 1), 0);
-    EXPECT_EQ(coordinate_step(std::vector<double>{0.5, 2.75, 4, 3, 1.5, 0.125}, 4), 0) << "few have three decimals";
+    EXPECT_DOUBLE_EQ(coordinate_step(written("{:.4g}", 5), 5), 1e-3);
+    EXPECT_EQ(coordinate_step(std::vector<double>{0.5, 2.75, 4, 3, 1.5, 0.125}, 4), 0) << "coarse";
     EXPECT_EQ(coordinate_step(std::vector<double>{1, 2, 3}, 3), 0) << "coarse";
     EXPECT_EQ(coordinate_step({}, 1), 0);
+    // Two files in one: a part with three decimals, another with four.
+    std::vector<double> mixed = written("{:.3f}", 5);
+    for (const double value : written("{:.4f}", 4.1)) mixed.push_back(value);
+    EXPECT_DOUBLE_EQ(coordinate_step(mixed, 5), 1e-3);
+    // A grid of 1/64, written in full.
+    std::vector<double> grid;
+    for (int i = 1; i < 60; ++i) grid.push_back((7 * i % 256) / 64.);
+    EXPECT_DOUBLE_EQ(coordinate_step(grid, 4), 1 / 64.);
+    // Quarters of a millimetre, of which half have five decimals.
+    std::vector<double> quarters = written("{:.17g}", 5);
+    for (double& value : quarters) value = std::round(value / 0.00025) * 0.00025;
+    EXPECT_NEAR(coordinate_step(quarters, 5), 0.00025, 1e-12);
 }
 
 TEST(CoordinateRounding, RecognisesDecimalsReadOneUlpOff) {

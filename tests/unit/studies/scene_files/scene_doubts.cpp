@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -147,6 +148,46 @@ TEST(SceneDoubts, TrustCoordinatesOnlyToTheirDigits) {
     const Scene upright = wall_with_picture({1, 0, 0}, {0, 1, 0}, 3);
     EXPECT_DOUBLE_EQ(upright.coordinate_step, 1e-3);
     EXPECT_THAT(examine_scene(upright).faults, ElementsAre(HasSubstr("lie over each other in one plane")));
+}
+
+/// A floor and a box on it without a bottom, turned about x, with coordinates that `rounded` gives.
+template <class Round>
+Scene floor_with_box(double angle, const Round& rounded) {
+    std::string text;
+    const auto add = [&](double x, double y, double z) {
+        const double c = std::cos(angle);
+        const double s = std::sin(angle);
+        text += fmt::format("v {} {} {}\n", rounded(x), rounded(c * y - s * z), rounded(s * y + c * z));
+    };
+    for (const auto& [x, y] : {std::pair(0.0, 0.0), {4.0, 0.0}, {4.0, 3.0}, {0.0, 3.0}}) add(x, y, 0);
+    for (const double z : {0.0, 1.0}) {
+        for (const auto& [x, y] : {std::pair(1.5, 1.0), {2.5, 1.0}, {2.5, 2.0}, {1.5, 2.0}}) add(x, y, z);
+    }
+    return read_obj(text +
+                    "g floor\nf 1 2 3 4\ng box\nf 5 6 10 9\nf 6 7 11 10\nf 7 8 12 11\nf 8 5 9 12\nf 9 10 11 12\n");
+}
+
+TEST(SceneDoubts, NameAFloorThatABodyMayStandOn) {
+    const auto in_full = [](double x) { return fmt::format("{:.17g}", x); };
+    EXPECT_THAT(examine_scene(floor_with_box(0.5, in_full)).faults, IsEmpty());
+    EXPECT_THAT(examine_scene(floor_with_box(0.5, in_full)).notes,
+                testing::Contains(HasSubstr("of face 'floor' is covered")));
+    const auto may_stand = ElementsAre(HasSubstr("a body may stand on face 'floor'"));
+    EXPECT_THAT(examine_scene(floor_with_box(0.5, [](double x) { return fmt::format("{:.3f}", x); })).faults,
+                may_stand);
+    EXPECT_THAT(examine_scene(floor_with_box(0.5, [](double x) { return fmt::format("{:.5g}", x); })).faults,
+                may_stand);
+    EXPECT_THAT(examine_scene(floor_with_box(0.5, [](double x) { return std::round(64 * x) / 64; })).faults, may_stand);
+    EXPECT_THAT(examine_scene(floor_with_box(0, [](double x) { return fmt::format("{:.3f}", x); })).faults, IsEmpty());
+}
+
+TEST(SceneDoubts, NoteARoundBodyOnAFace) {
+    const std::string cylinder =
+        "[[surface]]\nface = 'c'\nshape = 'cylinder'\nbase = [0.5, 0.5, 0]\naxis = [0, 0, 0.3]\nradius = 0.2\n"
+        "facing = 'outward'\n";
+    EXPECT_THAT(doubts_of(two_plates + cylinder).notes, ElementsAre(HasSubstr("face 'c' stands on face 'a'")));
+    EXPECT_THAT(doubts_of(two_plates + std::string(cylinder).replace(cylinder.find("0.5, 0]"), 7, "0.5, 0.1]")).notes,
+                IsEmpty());
 }
 
 TEST(SceneDoubts, AreFaultsWhereCoordinatesAreTooCoarse) {
