@@ -1,3 +1,4 @@
+#include "core/geometry/outlines.hpp"
 #include "core/geometry/placement.hpp"
 #include "core/visibility/level_overlaps.hpp"
 #include "core/visibility/mirrors.hpp"
@@ -139,8 +140,14 @@ void add_overlaps(const Scene& scene, SceneDoubts& doubts) {
     const Scene where = placed(scene, placement);
     std::map<std::tuple<bool, int, int>, double> areas;  // keys: whether they face the same way, and the two faces
     std::set<std::pair<int, int>> in_doubt;
+    std::vector<std::uint32_t> bodies;
+    const auto are_sides_of_a_sheet = [&](const LevelOverlap& overlap) {
+        if (bodies.empty()) bodies = Outlines(where, level_gap(where)).bodies();
+        return !overlap.same_side && bodies[overlap.first] == bodies[overlap.second];
+    };
     for (const LevelOverlap& overlap : level_overlaps(where)) {
         if (overlap.in_doubt) {
+            if (are_sides_of_a_sheet(overlap)) continue;
             in_doubt.insert(std::minmax(scene.surfaces[overlap.first].face, scene.surfaces[overlap.second].face));
             continue;
         }
