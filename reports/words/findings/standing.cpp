@@ -270,9 +270,7 @@ void rank_variances_of_size(const StudyResults& results, Ranking& ranking, doubl
             const bool leads = std::ranges::find(best.names, each.label) != best.names.end();
             if (leads && each.interval && each.interval->low <= 1) unshown.push_back(each.label);
         }
-        if (!unshown.empty())
-            ranking.said += fmt::format("; {} {} not shown to vary less than these", listed(unshown),
-                                        unshown.size() == 1 ? "is" : "are");
+        if (!unshown.empty()) ranking.said += fmt::format("; this is not shown for {}", listed(unshown));
     }
 }
 
