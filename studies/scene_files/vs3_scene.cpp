@@ -217,14 +217,15 @@ class Vs3Reader {
         for (std::size_t k = 0; k < parts.size(); k += 2) {
             const std::string_view word = parts[k];
             const auto value = k + 1 < parts.size() ? finite_number(parts[k + 1]) : std::nullopt;
+            const bool is_set = value.value_or(0) != 0;
             const std::string small = in_small_letters(word);
             if (std::find(known.begin(), known.end(), small) == known.end()) {
                 builder_.remark("control word '{}' (line {}) is unknown and is passed over", excerpt(word), line);
             } else if (!value) {
                 builder_.fail(line, "control word '{}' has no number. Write {}=1.", excerpt(word), excerpt(word));
             } else if (small == "encl") {
-                closed_ = *value != 0;
-            } else if (small == "emit" && *value != 0) {
+                closed_ = is_set;
+            } else if (small == "emit" && is_set) {
                 builder_.remark(
                     "control word 'emit' asks for factors with emissivities, which ffstudy heat --gebhart "
                     "gives; these are without");
