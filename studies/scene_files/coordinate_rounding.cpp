@@ -129,7 +129,7 @@ double common_unit(std::span<const double> values, double rounding) {
             unit = std::exchange(rest, next);
         }
         // Differences of large numbers leave few digits; as a share of one of them the unit has all again.
-        if (unit > rounding) unit = std::abs(value) / std::round(std::abs(value) / unit);
+        if (std::abs(value) > rounding) unit = std::abs(value) / std::round(std::abs(value) / unit);
     }
     return unit > 20 * rounding ? unit : 0;
 }

@@ -99,6 +99,7 @@ TEST(CoordinateStep, IsTheLastDecimalOfNumbersThatMayBeRounded) {
     // Quarters of a millimetre, of which half have five decimals.
     std::vector<double> quarters = written("{:.17g}", 5);
     for (double& value : quarters) value = std::round(value / 0.00025) * 0.00025;
+    quarters.push_back(6.1e-17);  // the cosine of a right angle
     EXPECT_NEAR(coordinate_step(quarters, 5), 0.00025, 1e-12);
 }
 
