@@ -91,14 +91,16 @@ std::string_view CsvReader::filled(const CsvField& field, std::string_view name)
 }
 
 std::vector<std::optional<std::size_t>> find_columns(const CsvReader& reader, const std::vector<CsvField>& header,
-                                                     std::span<const std::string_view> names) {
+                                                     std::span<const std::string_view> names, OtherColumns others) {
     std::vector<std::optional<std::size_t>> places(names.size());
     for (std::size_t i = 0; i < header.size(); ++i) {
         const std::string_view text = trimmed(header[i].text);
-        const auto known = std::find(names.begin(), names.end(), text);
-        if (known == names.end())
+        const auto known = std::find(names.begin(), names.end(), in_small_letters(text));
+        if (known == names.end()) {
+            if (others == OtherColumns::left_out) continue;
             reader.fail(header[i], fmt::format("column '{}' is unknown. {}The columns are {}, between commas.",
                                                excerpt(text), did_you_mean(text, names), fmt::join(names, ", ")));
+        }
         auto& place = places[static_cast<std::size_t>(known - names.begin())];
         if (place) reader.fail(header[i], fmt::format("column '{}' stands twice. Keep one.", text));
         place = i;

@@ -47,9 +47,13 @@ class CsvReader {
     std::size_t column_ = 1;
 };
 
-/// Position of each named column in a header, in the order of `names`; empty for a missing one.
-/// @throws UserError for a column of another name, or one that stands twice
+/// What becomes of columns that nobody asked for.
+enum class OtherColumns { refused, left_out };
+
+/// Position of each named column in a header, in the order of `names`; empty for a missing one. Case does not matter.
+/// @throws UserError for a column that stands twice, and for one of another name where these are refused
 std::vector<std::optional<std::size_t>> find_columns(const CsvReader& reader, const std::vector<CsvField>& header,
-                                                     std::span<const std::string_view> names);
+                                                     std::span<const std::string_view> names,
+                                                     OtherColumns others = OtherColumns::refused);
 
 }  // namespace ff::studies

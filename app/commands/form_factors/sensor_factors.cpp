@@ -47,33 +47,44 @@ void expect_normal(const Sensor& sensor, std::string_view where) {
     throw UserError("{}: its normal is 0 (it faces nowhere). Write a direction, such as 0,0,1.", where);
 }
 
-std::vector<Sensor> read_sensors(const std::string& from) {
+Sensor parse_sensor(const std::string& from) {
     Sensor sensor{};
-    if (from.starts_with(before_point)) {
-        const auto parts = split_at(',', std::string_view(from).substr(before_point.size()));
-        for (std::size_t k = 0; k < sensor.size(); ++k) {
-            const auto value = parts.size() == sensor.size() ? finite_number(trimmed(parts[k])) : std::nullopt;
-            if (!value)
-                throw UserError(
-                    "--from {} (expected six numbers: a place and a normal). Write "
-                    "point:0.5,0.5,1,0,0,1.",
-                    from);
-            sensor[k] = *value;
-        }
-        expect_normal(sensor, "--from " + from);
-        return {sensor};
+    const auto parts = split_at(',', std::string_view(from).substr(before_point.size()));
+    for (std::size_t k = 0; k < sensor.size(); ++k) {
+        const auto value = parts.size() == sensor.size() ? finite_number(trimmed(parts[k])) : std::nullopt;
+        if (!value)
+            throw UserError(
+                "--from {} (expected six numbers: a place and a normal). Write "
+                "point:0.5,0.5,1,0,0,1.",
+                from);
+        sensor[k] = *value;
     }
+    expect_normal(sensor, "--from " + from);
+    return sensor;
+}
+
+/// The six columns among those of a table, wherever they stand; others are named in a note.
+std::vector<Sensor> read_sensor_file(const std::string& from) {
     const std::string text = studies::read_bytes(from);
     studies::CsvReader reader(text, from);
     std::vector<studies::CsvField> record;
     if (!reader.next(record)) throw UserError("{}: no points. Write x,y,z,nx,ny,nz and a line each.", from);
-    const auto columns = studies::find_columns(reader, record, columns_of_sensors);
+    const auto columns = studies::find_columns(reader, record, columns_of_sensors, studies::OtherColumns::left_out);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        if (!columns[k])
+            throw UserError("{}: column {} is missing. Write x,y,z,nx,ny,nz and a line for each point.", from,
+                            columns_of_sensors[k]);
+    }
+    if (record.size() > columns.size())
+        say("note: {}: {} left out: only {} are read\n", from,
+            reports::counted(record.size() - columns.size(), "other column"), fmt::join(columns_of_sensors, ", "));
     std::vector<Sensor> sensors;
+    const std::size_t width = record.size();
     while (reader.next(record)) {
+        if (record.size() > width)
+            reader.fail(record[width], "there are more values than columns. Write 0.5 where 0,5 is meant.");
+        Sensor& sensor = sensors.emplace_back();
         for (std::size_t k = 0; k < sensor.size(); ++k) {
-            if (!columns[k])
-                throw UserError("{}: column {} is missing. Write x,y,z,nx,ny,nz and a line for each point.", from,
-                                columns_of_sensors[k]);
             const auto value =
                 *columns[k] < record.size() ? finite_number(trimmed(record[*columns[k]].text)) : std::nullopt;
             if (!value)
@@ -82,10 +93,14 @@ std::vector<Sensor> read_sensors(const std::string& from) {
             sensor[k] = *value;
         }
         expect_normal(sensor, fmt::format("{}:{}", from, record.front().line));
-        sensors.push_back(sensor);
     }
     if (sensors.empty()) throw UserError("{}: no points. Write a line for each.", from);
     return sensors;
+}
+
+std::vector<Sensor> read_sensors(const std::string& from) {
+    if (from.starts_with(before_point)) return {parse_sensor(from)};
+    return read_sensor_file(from);
 }
 
 /// Whether a factor is more than what rounding leaves of a face that cannot be seen.

@@ -100,3 +100,12 @@ expect_stderr "note: no face is seen from point 1"
 printf 'x,y,z,nx,ny,nz\n2,1.5,1,0,0,1\n2,1.5,0,0,0,-1\n2,1,0,0,0,-1\n' >sensors.csv
 ffstudy form-factors box:4x3x2.5 --from sensors.csv
 expect_stderr "note: no face is seen from 2 of 3 points (the first is point 2)"
+
+# Columns are found by their names, whatever stands between them.
+printf 'id,NX,NY,NZ,X,Y,Z,room\n7,0,0,1,2,1.5,1,hall\n' >named.csv
+ffstudy form-factors box:4x3x2.5 --from named.csv
+expect_status 0
+expect_stderr "note: named.csv: 2 other columns left out: only x, y, z, nx, ny, nz are read"
+cp "$folder/stdout" named
+ffstudy form-factors box:4x3x2.5 --from point:2,1.5,1,0,0,1
+expect_equal_files "$folder/stdout" named
