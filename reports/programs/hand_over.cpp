@@ -44,7 +44,8 @@ void expect_view3d(const Scene& scene) {
 void write_view3d(std::ostream& out, const HandedOn& handed) {
     constexpr double black = 1;
     const auto n = handed.factors.rows();
-    const std::string header = fmt::format("View3D by-ffstudy 0 {} 0 {}", handed.scene.closed ? 1 : 0, n);
+    const std::string header =
+        fmt::format("View3D by-ffstudy 0 {} 0 {}", studies::form_factors::rows_add_up(handed.scene) ? 1 : 0, n);
     constexpr int width = 30;  // least width that its reader expects
     out << fmt::format("{:<{}}\n{}\n", header, width, fmt::join(handed.matrix.areas, " "));
     for (Eigen::Index row = 0; row < n; ++row) out << fmt::format("{}\n", fmt::join(whole_row(handed, row), " "));
@@ -125,6 +126,12 @@ void write_epjson(std::ostream& out, const HandedOn& handed) {
 
 void expect_moose(const Scene& scene) {
     expect_few_faces(scene, "moose");
+    if (scene.closed && !studies::form_factors::rows_add_up(scene))
+        throw UserError(
+            "--format moose: scene '{}' has surfaces that belong to no face (rows have to add up to 1 there). Give "
+            "them "
+            "a face.",
+            scene.name);
     if (!scene.closed)
         throw UserError(
             "--format moose: scene '{}' is open (rows have to add up to 1 there). Close it by a "
