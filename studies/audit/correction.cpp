@@ -25,6 +25,7 @@ int distance(std::string_view printed, std::string_view meant) {
 
 /// Whether a number that is printed in this way can lie in the range.
 bool is_possible(std::string_view text, Range values, NumberFormat format, std::optional<std::uint64_t> rays) {
+    if (text.size() > 1 && text[0] == '0' && text[1] != '.') return false;  // nobody prints 01.5
     const auto number = parse_printed(text);
     const auto range = number ? printed_range(*number, format) : std::nullopt;
     if (!range) return false;
@@ -123,9 +124,16 @@ JudgedDiagnosis judge(const ExperimentModel& model, Diagnosis diagnosis) {
         const Constraint& constraint = constraint_of(model, s);
         const Figure& figure = model.tables.figures[suspect.figures.front()];
         const auto is_consistent = [&](Range values) { return agrees(model.system, diagnosis.blamed, s, values); };
-        Correction correction =
-            correct(figure.printed, predicted(constraint, diagnosis.ranges), format_of(figure, model.interpretation),
-                    rays_of(model, constraint), is_consistent);
+        Range values = predicted(constraint, diagnosis.ranges);
+        std::optional<Range> truth;
+        if (figure.kind == FigureKind::form_factor) {
+            values = {std::clamp(values.low, 0.0, 1.0), std::clamp(values.high, 0.0, 1.0)};
+            const auto from = model.facts.face(figure.from);
+            const auto to = model.facts.face(figure.to);
+            if (from && to) truth = model.facts.factor(*from, *to);
+        }
+        Correction correction = correct(figure.printed, values, format_of(figure, model.interpretation),
+                                        rays_of(model, constraint), is_consistent, truth);
         correction.figure = suspect.figures.front();
         judged.improbability += suspect.weight * correction.edits;
         if (const auto expected =
@@ -143,7 +151,7 @@ JudgedDiagnosis judge(const ExperimentModel& model, Diagnosis diagnosis) {
 }  // namespace
 
 Correction correct(std::string_view printed, Range values, NumberFormat format, std::optional<std::uint64_t> rays,
-                   const std::function<bool(Range)>& is_consistent) {
+                   const std::function<bool(Range)>& is_consistent, std::optional<Range> truth) {
     Correction result;
     result.printed = printed;
     result.values = values;
@@ -177,6 +185,12 @@ Correction correct(std::string_view printed, Range values, NumberFormat format, 
     } else {
         visit_misprints(std::string(printed), offer);
         if (possible == 0) visit_double_replacements(std::string(printed), offer);
+        // No misprint explains it: the nearest number of hits, or the true value, may have been meant.
+        if (possible == 0 && rays) {
+            const auto all = static_cast<double>(*rays);
+            offer(print(std::round(parse_printed(printed)->value() * all) / all, format));
+        }
+        if (possible == 0 && truth) offer(print(truth->middle(), format));
         for (int k = 0; possible == 0 && k < 20; ++k) {  // then whatever is left at the ends
             offer(print(std::max(0.0, values.low + k * unit), format));
             offer(print(std::max(0.0, values.high - k * unit), format));

@@ -30,8 +30,9 @@ struct Correction {
 /// the middle of the range.
 /// @param rays  of a figure that is hits over rays
 /// @param is_consistent  whether some number in a range agrees with everything else; `values` may be wider
+/// @param truth  the true value, where it is known; taken where no misprint explains the printed one
 Correction correct(std::string_view printed, Range values, NumberFormat format, std::optional<std::uint64_t> rays,
-                   const std::function<bool(Range)>& is_consistent);
+                   const std::function<bool(Range)>& is_consistent, std::optional<Range> truth = {});
 
 /// A diagnosis with the corrections that it asks for.
 struct JudgedDiagnosis {

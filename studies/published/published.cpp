@@ -3,6 +3,7 @@
 #include "core/geometry/scene.hpp"
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
+#include "core/support/words.hpp"
 #include "core/visibility/facing.hpp"
 #include "studies/published/scene_of_tables.hpp"
 #include "studies/readers/json_reader.hpp"
@@ -92,13 +93,13 @@ Quantity read_quantity(const JsonReader& reader, const JsonValue& value, const S
                                        "row's quantity.",
                                        label, scene.name, fmt::join(scene.faces, ", ")));
     }
-    const auto from = std::ranges::find(scene.faces, quantity.from) - scene.faces.begin();
-    if (!quantity.to.empty() && quantity.from == quantity.to && !sees_itself(scene, static_cast<int>(from))) {
-        reader.fail(value, fmt::format("a form factor of face \"{}\" to itself (it is flat and does not see itself). "
-                                       "Correct the row's quantity.",
-                                       quantity.from));
-    }
     return quantity;
+}
+
+/// Whether it is the factor of a flat face to itself.
+bool is_zero(const Quantity& quantity, const Scene& scene) {
+    const auto from = std::ranges::find(scene.faces, quantity.from) - scene.faces.begin();
+    return !quantity.to.empty() && quantity.from == quantity.to && !sees_itself(scene, static_cast<int>(from));
 }
 
 Column read_column(const JsonReader& reader, const JsonValue& value, const PublishedTables& tables,
@@ -145,7 +146,14 @@ void read_row(const JsonReader& reader, const JsonValue& value, const Scene& sce
     const std::string title = reader.optional_text(value, "title");
     table.row_titles.push_back(title.empty() ? quantity_value.text : title);
     for (std::size_t c = 0; c < cells.size(); ++c) {
-        if (cells[c].kind == Kind::null) {
+        const bool is_blank = cells[c].kind == Kind::null;
+        if (!is_blank && is_zero(quantity, scene) &&
+            finite_number(reader.number_as_printed(cells[c], "printed")).value_or(0) != 0)
+            reader.fail(quantity_value,
+                        fmt::format("a form factor of face \"{}\" to itself (it is flat and does not see itself). "
+                                    "Correct the row's quantity.",
+                                    quantity.from));
+        if (is_blank || is_zero(quantity, scene)) {
             table.figures.emplace_back(std::nullopt);
             continue;
         }

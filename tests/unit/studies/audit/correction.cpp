@@ -40,5 +40,13 @@ TEST(Correct, ChecksCandidatesAgainstTheRest) {
     EXPECT_EQ(c.edits, 2);
 }
 
+TEST(Correct, TakesTheTruthWhereNoMisprintExplainsAValue) {
+    const Correction percent =
+        correct("29.2074", {0, 1}, rounded_digits, std::nullopt, anything, Range{0.292072, 0.292074});
+    EXPECT_EQ(percent.meant, "0.292073");
+    const Correction hits = correct("0.150438", {0.09, 0.21}, rounded_digits, 1000, anything, Range{0.15, 0.15});
+    EXPECT_EQ(hits.meant, "0.150000");
+}
+
 }  // namespace
 }  // namespace ff::studies::audit

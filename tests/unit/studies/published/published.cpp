@@ -69,6 +69,12 @@ TEST(ParsePublishedTables, ReadsEveryPart) {
     EXPECT_EQ(describe(tables, 0), "t, one to six, value");
 }
 
+TEST(ParsePublishedTables, LeavesOutZerosOfFlatFaces) {
+    const PublishedTables tables = parse_published_tables(
+        replaced(R"("F 1-6", "printed": ["0.199820")", R"("F 6-6", "printed": ["0.000000")"), "t.json");
+    EXPECT_FALSE(tables.tables[0].figures[0]);
+}
+
 TEST(ParsePublishedTables, SaysWhereAndWhatIsWrong) {
     const std::vector<std::pair<std::string, std::string>> cases{
         {replaced(R"("claims")", R"("claim")"), R"(Did you mean "claims"?)"},
