@@ -28,8 +28,9 @@ std::string row_warning(const FormFactorReport& report, const std::vector<std::s
     } else if (report.matrix.lost_rays == 0 &&
                std::any_of(rows.begin(), rows.end(), [&](std::size_t row) { return is_sampled(report, row); })) {
         cause =
-            "no ray was lost: a body that stands on the face may cover part of it, which then belongs to no face; "
-            "surfaces may cross each other; or the samples missed something small, and another --seed may tell";
+            "no ray was lost: corners may be rounded so that surfaces do not meet; a body that stands on the face may "
+            "cover part of it, which then belongs to no face; surfaces may cross each other; or the samples missed "
+            "something small, and another --seed may tell";
     }
     const auto value = [&](std::size_t row) { return report.matrix.rows[row].value; };
     const auto [least, most] =

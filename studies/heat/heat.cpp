@@ -42,7 +42,8 @@ void expect_solvable(const Scene& scene, const FactorBounds& factors, const Face
         if (!can_add_up(factors, i))
             throw ImpossibleRow(
                 "scene '{}': the form factors of face '{}' cannot add up to 1 (between {:.6g} and {:.6g}, with a "
-                "probability of 0.999999). See the warnings of 'ffstudy form-factors' on this scene.",
+                "probability of 0.999999). See the warnings of 'ffstudy form-factors' on this scene; a larger "
+                "--tolerance allows for gaps of rounded corners.",
                 scene.name, face(i), factors.low.row(i).sum(), factors.high.row(i).sum());
         if (materials.surroundings || materials.are_light() || !sees_out(factors, i)) continue;
         if (factors.low.coeff(i, n) == 0)
