@@ -45,7 +45,7 @@ constexpr std::array scene_formats{SceneFormat{".obj", studies::obj_text, false}
 
 const SceneFormat& format_of(const std::filesystem::path& file) {
     for (const SceneFormat& format : scene_formats) {
-        if (file.extension() == format.extension) return format;
+        if (studies::has_extension(file.string(), format.extension)) return format;
     }
     throw UserError(
         "{}: its extension names no format that scenes are written in (.obj, .vs3, .toml). "

@@ -99,6 +99,7 @@ std::string SceneBuilder::owner(int face) const {
 }
 
 void SceneBuilder::fail(std::uint64_t line, std::string_view problem) const {
+    if (!has_lines_) throw UserError("{}: {}", name_, problem);
     throw UserError("{}:{}: {}", name_, line, problem);
 }
 
@@ -163,14 +164,17 @@ void SceneBuilder::add_polygon(const std::vector<Vector3d>& outline, int face, s
         fail(line, "{} reaches beyond {:g}. Use another unit of length.", owner(face), largest_length);
     }
     const Vector3d normal = twice_area(corners).normalized();
-    bool is_convex = true;
+    bool is_convex = true;  // but for corners that are meant to lie in a line with their neighbours
+    bool is_strictly_convex = true;
     double turned = 0;  // once around where it is convex, more in a star
     for (std::size_t i = 0; i < n; ++i) {
         const Vector3d& next = next_corner(corners, i);
         const Vector3d along = next - corners[i];
         const Vector3d onwards = corners[(i + 2) % n] - next;
         const double turn = along.cross(onwards).dot(normal);
-        is_convex = is_convex && turn >= -most_bend * along.norm() * onwards.norm();
+        const double turn_of_right_angle = along.norm() * onwards.norm();
+        is_convex = is_convex && turn >= -most_bend * turn_of_right_angle;
+        is_strictly_convex = is_strictly_convex && turn >= -least_share_of_area * turn_of_right_angle;
         turned += std::atan2(turn, along.dot(onwards));
     }
     is_convex = is_convex && turned < 3 * std::numbers::pi;
@@ -182,12 +186,12 @@ void SceneBuilder::add_polygon(const std::vector<Vector3d>& outline, int face, s
         return;
     }
     std::vector<std::array<std::size_t, 3>> triangles;
-    if (is_plane && is_convex) {
+    if (!is_plane || !is_strictly_convex) triangles = clip_ears(corners);
+    if (triangles.empty() && is_plane && is_convex) {
         for (std::size_t i = 1; i + 1 < n; ++i) triangles.push_back({0, i, i + 1});
-    } else {
-        triangles = clip_ears(corners);
-        if (triangles.empty())
-            fail(line, "edges of {} cross or touch each other. Divide it into triangles.", owner(face));
+    } else if (triangles.empty()) {
+        fail(line, "edges of {} cross or touch each other. Divide it into triangles.", owner(face));
+    } else if (!is_convex || !is_plane) {
         note(is_convex ? PolygonChange::bent : PolygonChange::concave, line);
     }
     for (const auto& [a, b, c] : triangles) {
@@ -195,37 +199,6 @@ void SceneBuilder::add_polygon(const std::vector<Vector3d>& outline, int face, s
         if (!(own.norm() > least_share_of_area * size * size)) continue;  // three corners in a line
         append({Triangle{corners[a], corners[b], corners[c]}, own.normalized(), face}, line);
     }
-}
-
-/// Keeps one of several identical surfaces of a face. Two that face opposite ways are the sides of a thin plate.
-void SceneBuilder::leave_out_doubles() {
-    std::vector<std::pair<std::uint64_t, std::size_t>> prints;
-    for (const Surface& surface : scene_.surfaces) prints.emplace_back(fingerprint(surface), prints.size());
-    std::sort(prints.begin(), prints.end());
-    std::vector<bool> is_double(scene_.surfaces.size());
-    for (std::size_t i = 0; i < prints.size(); ++i) {
-        const auto [print, second] = prints[i];
-        const Surface& surface = scene_.surfaces[second];
-        for (std::size_t k = i; k > 0 && prints[k - 1].first == print; --k) {
-            const std::size_t first = prints[k - 1].second;
-            const Surface& other = scene_.surfaces[first];
-            if (numbers_of(other) != numbers_of(surface) || other.normal.dot(surface.normal) < 0) continue;
-            if (other.face != surface.face)
-                fail(lines_[second], "{} is the same as {} of line {} (rays could end on either). Keep one.",
-                     owner(surface.face), owner(other.face), lines_[first]);
-            is_double[second] = true;
-            note(PolygonChange::twice, lines_[second]);
-            break;
-        }
-    }
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < scene_.surfaces.size(); ++i) {
-        if (is_double[i]) continue;
-        scene_.surfaces[kept] = scene_.surfaces[i];
-        lines_[kept++] = lines_[i];
-    }
-    scene_.surfaces.resize(kept);
-    lines_.resize(kept);
 }
 
 void SceneBuilder::cut_out_covered_parts(std::vector<FaceMaterial>* materials) {
@@ -276,8 +249,10 @@ void SceneBuilder::remark_on_changes() {
             lines.size() == 1 ? fmt::format("a polygon {}", one) : fmt::format("{} polygons {}", lines.size(), many);
         const std::size_t left = lines.size() - std::min(lines.size(), most_named);
         lines.resize(lines.size() - left);
-        remark("{} ({} {}{})", what, lines.size() == 1 ? "line" : "lines", fmt::join(lines, ", "),
-               left > 0 ? fmt::format(" and {} more", left) : "");
+        const std::string places =
+            fmt::format(" ({} {}{})", lines.size() == 1 ? "line" : "lines", fmt::join(lines, ", "),
+                        left > 0 ? fmt::format(" and {} more", left) : "");
+        remark("{}{}", what, has_lines_ ? places : "");
     }
 }
 
@@ -291,7 +266,13 @@ Scene SceneBuilder::finish(bool closed, std::vector<FaceMaterial>* materials) {
         if (surfaces_of[face] == 0)
             throw UserError("{}: face '{}' has no surface. Remove it, or give it one.", name_, scene_.faces[face]);
     }
+    Eigen::AlignedBox3d box;
+    for (const Surface& surface : scene_.surfaces) box.extend(box_around(surface));
+    const std::vector<double> coordinates(coordinates_.begin(), coordinates_.end());
+    scene_.coordinate_rounding = coordinate_rounding(coordinates, box.sizes().maxCoeff());
+    scene_.coordinate_step = coordinate_step(coordinates, box.sizes().maxCoeff());
     leave_out_doubles();
+    leave_out_slivers();
     for (const std::size_t surface : has_windings_ ? find_winding(scene_).turned : std::vector<std::size_t>()) {
         scene_.surfaces[surface].normal *= -1;
         note(PolygonChange::turned, lines_[surface]);
@@ -305,11 +286,6 @@ Scene SceneBuilder::finish(bool closed, std::vector<FaceMaterial>* materials) {
     }
     scene_.name = name_;
     scene_.closed = closed;
-    Eigen::AlignedBox3d box;
-    for (const Surface& surface : scene_.surfaces) box.extend(box_around(surface));
-    const std::vector<double> coordinates(coordinates_.begin(), coordinates_.end());
-    scene_.coordinate_rounding = coordinate_rounding(coordinates, box.sizes().maxCoeff());
-    scene_.coordinate_step = coordinate_step(coordinates, box.sizes().maxCoeff());
     cut_out_covered_parts(materials);
     if (scene_.faces.empty())
         throw UserError(

@@ -23,11 +23,15 @@ namespace ff::studies {
 /// Why a polygon cannot be used as it is, but is left out, divided, turned round or shortened.
 enum class PolygonChange { no_area, twice, bent, concave, turned, spiked };
 
+/// Whether the lines of what is read are those of the user's file, and can be named to the user.
+enum class Lines { of_file, of_converted_mesh };
+
 /// Collects the surfaces of a scene file, and rejects unusable ones by file and line.
 class SceneBuilder {
   public:
     /// @param name  of the file, for messages and as the scene's name
-    explicit SceneBuilder(std::string_view name) : name_(name) {}
+    explicit SceneBuilder(std::string_view name, Lines lines = Lines::of_file)
+        : name_(name), has_lines_(lines == Lines::of_file) {}
 
     /// The face of that name; a new one if there is none.
     /// @throws UserError where the name cannot be used in tables and files
@@ -67,8 +71,9 @@ class SceneBuilder {
         fail(line, fmt::format(problem, std::forward<Values>(values)...));
     }
 
-    /// Reverses surfaces that face the other way than the rest of their face, leaves out duplicates, and cuts out the
-    /// parts of surfaces that bodies stand on. Faces of which nothing remains are left out.
+    /// Leaves out duplicates and triangles that are no higher than coordinates may be off, reverses polygons that face
+    /// the other way than the rest of their face, and cuts out the parts of surfaces that bodies stand on. Faces of
+    /// which nothing remains are left out.
     /// @param materials  of the faces; those of faces that are left out are removed. Null: none
     /// @throws UserError where there is no surface, no face, a face without surfaces, or a surface of two faces
     Scene finish(bool closed, std::vector<FaceMaterial>* materials = nullptr);
@@ -81,12 +86,15 @@ class SceneBuilder {
     }
     void remark_on_changes();
     void leave_out_doubles();
+    void leave_out_slivers();
+    void leave_out(const std::vector<bool>& is_left_out);
     void note(const Eigen::Vector3d& place);
     void append(Surface surface, std::uint64_t line);
     void cut_out_covered_parts(std::vector<FaceMaterial>* materials);
 
     std::vector<std::string> formulas_;  ///< names of faces, in quotes, that spreadsheets would take for formulas
     std::string name_;
+    bool has_lines_;
     Scene scene_;
     std::unordered_map<std::string, int> faces_;         ///< faces by their names in the file
     std::unordered_set<std::string> names_;              ///< names that faces and masks have in the scene

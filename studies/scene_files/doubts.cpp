@@ -121,7 +121,14 @@ void add_remarks(const Scene& scene, SceneDoubts& doubts) {
 
 /// Edges that two polygons run through in the same direction, so that they do not bound a body.
 void add_winding(const Scene& scene, SceneDoubts& doubts) {
-    for (const int face : find_winding(scene).undecided)
+    const Winding winding = find_winding(scene);
+    if (!winding.turned.empty())
+        add(doubts.faults, scene,
+            "surfaces of face '{}' meet in an edge and face opposite ways (what the turned one sends is lost). Set "
+            "flip "
+            "of one of them, reverse the order of its corners, or make them two faces.",
+            name_of_face(scene, scene.surfaces[winding.turned.front()].face));
+    for (const int face : winding.undecided)
         add(doubts.faults, scene,
             "polygons of face '{}' are wound in opposite directions, as many one way as the other (half of what it "
             "sends is lost). Write the corners of each counter-clockwise as seen from the side that radiates.",

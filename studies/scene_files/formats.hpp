@@ -46,11 +46,6 @@ bool names_energyplus(std::string_view name);
 /// file names materials, or groups of cells; its content decides which format it has. @throws UserError, IoError
 std::string mesh_as_obj(const std::filesystem::path& file);
 
-/// Looks for features that move, pack or repeat polygons and that the library which reads glTF would silently ignore:
-/// extensions, coordinates of whole numbers, and shapes that morph or have a skin.
-/// @param bytes  of a .gltf or .glb file  @throws UserError "file: place: problem (why). Suggestion."
-void expect_plain_gltf(std::string_view file, std::string_view bytes);
-
 /// @throws UserError where a file without the extension of a mesh contains one
 void expect_no_mesh(const std::filesystem::path& file, std::string_view bytes);
 

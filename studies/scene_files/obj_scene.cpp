@@ -70,7 +70,8 @@ class NumberedNames {
 /// Reads the lines of an OBJ file; lines that do not concern polygons are skipped.
 class ObjReader {
   public:
-    explicit ObjReader(std::string_view name) : builder_(name) {}
+    explicit ObjReader(std::string_view name)
+        : builder_(name, names_mesh(name) ? Lines::of_converted_mesh : Lines::of_file) {}
 
     void read_line(std::uint64_t line, std::string_view text) {
         auto words = split_words(text);
@@ -145,7 +146,7 @@ class ObjReader {
     }
 
     void read_polygon(std::uint64_t line, const Words& words) {
-        if (words.size() < 4) builder_.fail(line, "a polygon needs three corners or more. Remove it.");
+        if (words.size() < 2) builder_.fail(line, "a polygon needs three corners or more. Remove it.");
         Polygon& polygon =
             polygons_.emplace_back(Polygon{line, owners_, {}, static_cast<std::int64_t>(vertices_.size())});
         for (std::size_t corner = 1; corner < words.size(); ++corner)

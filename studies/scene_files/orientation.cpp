@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::size_t most_probed = 1000;
 constexpr std::size_t rays_of_a_surface = 64;
+/// A surface with less of its face's area is not probed: rays from it would count as much as those from the rest.
+constexpr double least_share_probed = 1e-6;
 
 /// Turning faces one after another takes time proportional to the cube of their number.
 constexpr std::size_t most_faces_turned = 256;
@@ -44,11 +46,16 @@ void probe(const Scene& scene, std::size_t side, SideProbes& probes) {
     const auto tracer = make_tracer(scene, TracerChoice::automatic);
     const auto block = points();
     std::vector<Hit> hits(rays_of_a_surface);
+    std::vector<double> areas(probes.faces);
+    for (const Surface& surface : scene.surfaces) {
+        if (is_of_face(surface)) areas[static_cast<std::size_t>(surface.face)] += area(surface.shape);
+    }
     const std::size_t step = scene.surfaces.size() / most_probed + 1;
     for (std::size_t s = 0; s < scene.surfaces.size(); s += step) {
         const Surface& surface = scene.surfaces[s];
         if (!is_of_face(surface)) continue;
         const auto from = static_cast<std::size_t>(surface.face);
+        if (area(surface.shape) < least_share_probed * areas[from]) continue;
         tracer->find_ends(surface, static_cast<std::uint32_t>(s), undivided, 0, *block, hits);
         probes.rays[2 * from + side] += hits.size();
         for (const Hit& hit : hits) {

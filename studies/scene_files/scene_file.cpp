@@ -38,8 +38,7 @@ SceneWithMaterials scene_without_mirrors(const SceneSource& source) {
         throw UserError("scene '{}' (scene files can be named by study and tables files only). Take cube or box:AxBxC.",
                         name);
     }
-    if (has_extension(name, ".obj")) return read_obj_scene(name, *source.text);
-    if (names_mesh(name)) return read_obj_scene(fmt::format("{} as OBJ", name), *source.text);
+    if (is_read_as_obj(name)) return read_obj_scene(name, *source.text);
     if (has_extension(name, ".vs3")) return read_vs3_scene(name, *source.text);
     return read_toml_scene(name, *source.text);
 }

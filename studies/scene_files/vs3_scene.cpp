@@ -3,6 +3,7 @@
 #include "studies/scene_files/builder.hpp"
 #include "studies/scene_files/formats.hpp"
 #include "studies/scene_files/scene_with_materials.hpp"
+#include "studies/scene_files/vs3_line.hpp"
 #include "studies/scene_files/vs3_surface.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +21,6 @@ namespace ff::studies {
 namespace {
 
 using Eigen::Vector3d;
-using LineWords = std::vector<std::string_view>;
 
 char upper(char c) {
     return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -30,21 +30,22 @@ class Vs3Reader {
   public:
     explicit Vs3Reader(std::string_view name) : builder_(name) {}
 
-    void read_line(std::uint64_t line, const LineWords& words) {
-        if (ended_ || words.empty() || words[0].front() == '/') return;
-        if (pending_) return read_numbers(line, words);
-        switch (upper(words[0].front())) {
+    void read_line(std::uint64_t number, std::string_view text) {
+        const Vs3Line line(builder_, number, text);
+        if (ended_ || line.empty() || line[0].front() == '/') return;
+        if (pending_) return read_numbers(line);
+        switch (upper(line[0].front())) {
             case 'V':
-                return read_vertex(line, words);
+                return read_vertex(line);
             case 'S':
             case 'O':
             case 'M':
             case 'N':
-                return read_surface(line, words);
+                return read_surface(line);
             case 'C':
-                return read_control(line, words);
+                return read_control(line);
             case 'F':
-                return read_format(line, words);
+                return read_format(line);
             case 'E':
             case '*':
                 ended_ = true;
@@ -53,10 +54,10 @@ class Vs3Reader {
             case 'X':  // passed over by View3D too
                 return;
             default:
-                builder_.fail(line,
+                builder_.fail(line.place(),
                               "no line of a View3D file begins with '{}'. Begin it with T, C, F, V, S, O, M, N or E, "
                               "or with ! for a comment.",
-                              excerpt(words[0]));
+                              excerpt(line[0]));
         }
     }
 
@@ -81,7 +82,10 @@ class Vs3Reader {
         if (closed_ && !masks_.empty())
             builder_.remark(
                 "it has masks, whose backs receive what is counted for no face, so that it is taken as open");
-        Scene scene = builder_.finish(closed_ && masks_.empty(), &materials_);
+        if (closed_ && hole_)
+            builder_.remark("null surface {} leaves a hole in surface {}, so that the scene is taken as open",
+                            hole_->number, hole_->base);
+        Scene scene = builder_.finish(closed_ && masks_.empty() && !hole_, &materials_);
         scene.masks = std::move(masks_);
         materials_.resize(scene.faces.size());
         materials_.insert(materials_.end(), materials_of_masks_.begin(), materials_of_masks_.end());
@@ -97,6 +101,7 @@ class Vs3Reader {
     std::map<long, std::size_t> by_number_;           ///< place in `surfaces_`
     std::map<long, std::vector<std::size_t>> parts_;  ///< places in `surfaces_`, by the number of their base
     std::map<long, int> faces_;                       ///< faces by the number of a surface
+    const Vs3Surface* hole_ = nullptr;                ///< the first null surface, if there is one
     std::vector<MaskedPart> masks_;
     std::vector<FaceMaterial> materials_;
     std::vector<FaceMaterial> materials_of_masks_;
@@ -105,114 +110,98 @@ class Vs3Reader {
     bool closed_ = false;
     bool ended_ = false;
 
-    [[nodiscard]] std::string word_at(const LineWords& words, std::size_t at) const {
-        return at < words.size() ? fmt::format("'{}'", excerpt(words[at])) : std::string("missing");
-    }
-
-    [[nodiscard]] long number(std::uint64_t line, const LineWords& words, std::size_t at) const {
-        const auto value = at < words.size() ? parse_number<long>(words[at]) : std::nullopt;
-        if (!value)
-            builder_.fail(line, "field {} is {}{}. Write a whole number there.", at + 1, word_at(words, at),
-                          at < words.size() ? ", not a whole number" : "");
-        return *value;
-    }
-
-    void read_format(std::uint64_t line, const LineWords& words) {
-        places_shapes_ = words.size() > 1 && in_small_letters(words[1]) == "3a";
-        if (places_shapes_ || (words.size() > 1 && words[1] == "3")) return;
-        builder_.fail(line,
+    void read_format(const Vs3Line& line) {
+        places_shapes_ = line.size() > 1 && in_small_letters(line[1]) == "3a";
+        if (places_shapes_ || (line.size() > 1 && line[1] == "3")) return;
+        builder_.fail(line.place(),
                       "only three-dimensional geometry is read (F 3 or F 3a). Give surfaces in three dimensions.");
     }
 
-    void read_vertex(std::uint64_t line, const LineWords& words) {
+    void read_vertex(const Vs3Line& line) {
         Vector3d place;
         for (std::size_t i = 0; i < 3; ++i) {
-            const auto coordinate = i + 2 < words.size() ? finite_number(words[i + 2]) : std::nullopt;
-            if (!coordinate) builder_.fail(line, "a vertex needs three finite coordinates. Write V 1 0 1 0.5.");
+            const auto coordinate = i + 2 < line.size() ? finite_number(line[i + 2]) : std::nullopt;
+            if (!coordinate) builder_.fail(line.place(), "a vertex needs three finite coordinates. Write V 1 0 1 0.5.");
             place[static_cast<Eigen::Index>(i)] = *coordinate;
         }
-        const long index = number(line, words, 1);
+        line.expect_no_number(5, "a vertex has three coordinates");
+        const long index = line.whole(1);
         if (!vertices_.emplace(index, place).second)
-            builder_.fail(line, "vertex {} is defined twice (surfaces could mean either). Give one another number.",
-                          index);
+            builder_.fail(line.place(),
+                          "vertex {} is defined twice (surfaces could mean either). Give one another number.", index);
     }
 
     /// Fields 2 to 5 after the surface's number; a triangle has a 0 in the last.
-    [[nodiscard]] std::vector<Vector3d> corners(std::uint64_t line, const LineWords& words) const {
+    [[nodiscard]] std::vector<Vector3d> corners(const Vs3Line& line) const {
         std::vector<Vector3d> all;
         for (std::size_t i = 2; i < 6; ++i) {
-            const long index = number(line, words, i);
+            const long index = line.whole(i);
             if (i == 5 && index == 0) break;
             const auto found = vertices_.find(index);
             if (found == vertices_.end()) {
-                builder_.fail(line, "vertex {} is not defined (vertices come first). Correct the index.", index);
+                builder_.fail(line.place(), "vertex {} is not defined (vertices come first). Correct the index.",
+                              index);
             }
             all.push_back(found->second);
         }
         return all;
     }
 
-    void read_surface(std::uint64_t line, const LineWords& words) {
+    void read_surface(const Vs3Line& line) {
         Vs3Surface surface;
-        surface.kind = upper(words[0].front());
-        surface.line = line;
-        surface.number = number(line, words, 1);
+        surface.kind = upper(line[0].front());
+        surface.line = line.place();
+        surface.number = line.whole(1);
         std::size_t next = 6;
         if (places_shapes_) {
             next = 3;
-            const char shape = words.size() > 2 ? upper(words[2].front()) : ' ';
+            const char shape = line.size() > 2 ? upper(line[2].front()) : ' ';
             if (shape != 'R' && shape != 'T' && shape != 'Q')
-                builder_.fail(line,
+                builder_.fail(line.place(),
                               "field 3 is {} (expected a shape). Write R for a rectangle, T for a triangle or Q for a "
                               "quadrilateral.",
-                              word_at(words, 2));
+                              line.word(2));
             pending_ = Vs3Shape{shape, {}};
         } else {
-            surface.corners = corners(line, words);
+            surface.corners = corners(line);
         }
         if (surface.kind != 'O') {
-            if (words.size() > next) surface.base = number(line, words, next);
-            if (words.size() > next + 1) surface.combined = number(line, words, next + 1);
-            if (words.size() > next + 2) surface.emissivity = emissivity(line, words, next + 2);
-            if (words.size() > next + 3)
-                surface.name = fmt::format(
-                    "{}", fmt::join(words.begin() + static_cast<std::ptrdiff_t>(next) + 3, words.end(), " "));
+            if (line.size() > next) surface.base = line.whole(next);
+            if (line.size() > next + 1) surface.combined = line.whole(next + 1);
+            if (line.size() > next + 2) surface.emissivity = line.emissivity(next + 2);
+            if (line.size() > next + 3) surface.name = line.rest(next + 3);
         }
         if (surface.name.empty()) surface.name = std::to_string(surface.number);
         if (!by_number_.emplace(surface.number, surfaces_.size()).second)
-            builder_.fail(line, "surface {} is defined twice (others could mean either). Give one another number.",
+            builder_.fail(line.place(),
+                          "surface {} is defined twice (others could mean either). Give one another number.",
                           surface.number);
         if (surface.base != 0) parts_[surface.base].push_back(surfaces_.size());
         surfaces_.push_back(std::move(surface));
     }
 
-    double emissivity(std::uint64_t line, const LineWords& words, std::size_t at) const {
-        const auto value = finite_number(words[at]);
-        if (!value || *value < 0 || *value > 1)
-            builder_.fail(line, "field {} is {} (expected an emissivity, from 0 to 1). Write it there.", at + 1,
-                          word_at(words, at));
-        return *value;
-    }
-
-    void read_numbers(std::uint64_t line, const LineWords& words) {
-        for (std::size_t k = 0; k < words.size() && pending_->numbers.size() < pending_->wanted(); ++k) {
-            const auto value = finite_number(words[k]);
+    void read_numbers(const Vs3Line& line) {
+        std::size_t used = 0;
+        for (; used < line.size() && pending_->numbers.size() < pending_->wanted(); ++used) {
+            const auto value = finite_number(line[used]);
             if (!value)
-                builder_.fail(line, "field {} is {} (expected number {} of {} of surface {}). Write it there.", k + 1,
-                              word_at(words, k), pending_->numbers.size() + 1, pending_->wanted(),
+                builder_.fail(line.place(), "field {} is {} (expected number {} of {} of surface {}). Write it there.",
+                              used + 1, line.word(used), pending_->numbers.size() + 1, pending_->wanted(),
                               surfaces_.back().number);
             pending_->numbers.push_back(*value);
         }
         if (pending_->numbers.size() < pending_->wanted()) return;
+        line.expect_no_number(used,
+                              fmt::format("surface {} has {} numbers", surfaces_.back().number, pending_->wanted()));
         surfaces_.back().corners = pending_->corners();
         pending_.reset();
     }
 
     /// Words and values with blanks, commas or = between them.
-    void read_control(std::uint64_t line, const LineWords& words) {
+    void read_control(const Vs3Line& line) {
         constexpr std::array<std::string_view, 12> known{"eps",  "list", "out", "emit", "maxu", "maxo",
                                                          "mino", "row",  "col", "prjd", "maxv", "encl"};
-        const std::string all = fmt::format("{}", fmt::join(words.begin() + 1, words.end(), " "));
+        const std::string all = line.rest(1);
         const auto parts = split_words(all, " =,");
         for (std::size_t k = 0; k < parts.size(); k += 2) {
             const std::string_view word = parts[k];
@@ -220,9 +209,11 @@ class Vs3Reader {
             const bool is_set = value.value_or(0) != 0;
             const std::string small = in_small_letters(word);
             if (std::find(known.begin(), known.end(), small) == known.end()) {
-                builder_.remark("control word '{}' (line {}) is unknown and is passed over", excerpt(word), line);
+                builder_.remark("control word '{}' (line {}) is unknown and is passed over", excerpt(word),
+                                line.place());
             } else if (!value) {
-                builder_.fail(line, "control word '{}' has no number. Write {}=1.", excerpt(word), excerpt(word));
+                builder_.fail(line.place(), "control word '{}' has no number. Write {}=1.", excerpt(word),
+                              excerpt(word));
             } else if (small == "encl") {
                 closed_ = is_set;
             } else if (small == "emit" && is_set) {
@@ -299,16 +290,25 @@ class Vs3Reader {
                 part.line,
                 "surface {} has no base (it lies on another surface and faces it). Write the number of that surface.",
                 part.number);
-        if (part.kind == 'N') return;
+        if (part.kind == 'N') {
+            if (!hole_) hole_ = &part;
+            return;
+        }
         const auto base = faces_.find(part.base);
         if (base == faces_.end())
-            builder_.fail(part.line,
-                          "surface {} masks surface {}, which is no surface that radiates. Correct the base.",
-                          part.number, part.base);
+            builder_.fail(part.line, "surface {} masks surface {}, {}. Correct the base.", part.number, part.base,
+                          is_wholly_covered(part.base) ? "nothing of which is left beside what lies on it"
+                                                       : "which is no surface that radiates");
         materials_of_masks_.emplace_back();
         if (part.emissivity) materials_of_masks_.back().emissivities.push_back(*part.emissivity);
         masks_.push_back(
             {builder_.reserve_name(part.name), builder_.name_of(base->second), polygon_area(part.corners)});
+    }
+
+    /// Whether a surface radiates, but other surfaces take all of its area.
+    [[nodiscard]] bool is_wholly_covered(long number) const {
+        const auto found = by_number_.find(number);
+        return found != by_number_.end() && surfaces_[found->second].kind == 'S';
     }
 
     void add_emissivity(std::size_t face, std::optional<double> emissivity) {
@@ -323,9 +323,7 @@ class Vs3Reader {
 
 SceneWithMaterials read_vs3_scene(std::string_view name, std::string_view text) {
     Vs3Reader reader(name);
-    for_each_line(text, [&](std::uint64_t number, std::string_view line) {
-        reader.read_line(number, split_words(line.substr(0, line.find('!')), " \t\r,"));
-    });
+    for_each_line(text, [&](std::uint64_t number, std::string_view line) { reader.read_line(number, line); });
     return reader.finish();
 }
 

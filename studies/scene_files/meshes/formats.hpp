@@ -98,4 +98,11 @@ SurfaceMesh read_ply(std::string_view file, std::string_view bytes);
 bool is_off(std::string_view bytes);
 SurfaceMesh read_off(std::string_view file, std::string_view bytes);
 
+/// Looks for features that move, pack or repeat polygons and that the library which reads glTF would silently ignore:
+/// extensions, coordinates of whole numbers, and shapes that morph or have a skin. Nor does it say which items do not
+/// exist, or that corners are missing.
+/// @param bytes  of a .gltf or .glb file  @return the number of triangles in it, 0 where that is not known
+/// @throws UserError "file: place: problem (why). Suggestion."
+std::size_t expect_plain_gltf(std::string_view file, std::string_view bytes);
+
 }  // namespace ff::studies::meshes

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -41,6 +43,7 @@ class StlTextReader {
   private:
     MeshInput in_;
     SurfaceMesh mesh_;
+    std::map<std::string, std::size_t> solids_;  ///< number of solids so far, by name
 
     [[nodiscard]] bool follows(std::string_view keyword) const { return in_small_letters(in_.next_word()) == keyword; }
 
@@ -63,12 +66,14 @@ class StlTextReader {
     }
 
     /// The rest of the line after `solid` is its name. What stands after `endsolid` is not compared with it, since many
-    /// programs write nothing there.
+    /// programs write nothing there. Every solid is a group, also where several have the same name or none.
     void read_solid() {
         expect("solid");
         const std::string name = name_of_solid();
         if (!name.empty()) in_.set_section("solid " + name);
-        while (!follows("endsolid")) read_facet(name.empty() ? unnamed_group : name);
+        std::string group = name.empty() ? std::string(unnamed_group) : name;
+        if (const std::size_t number = ++solids_[group]; number > 1) group += fmt::format(".{}", number);
+        while (!follows("endsolid")) read_facet(group);
         expect("endsolid");
         in_.line();
         in_.set_section("");

@@ -48,6 +48,13 @@ TEST(ObjStatements, AreNamedWhereUnknown) {
     EXPECT_THAT(refusal_of(unit_square + "f 1 2 3 4\ncall b.obj\n"), HasSubstr("a.obj:6: 'call' takes"));
 }
 
+TEST(ObjStatements, MayHavePolygonsOfTwoCorners) {
+    const Scene scene = read_statements(unit_square + "f 1 2 3 4\nf 1 2\n");
+    EXPECT_EQ(scene.surfaces.size(), 1);
+    EXPECT_THAT(scene.remarks, ElementsAre("a polygon has no area and is left out (line 6)"));
+    EXPECT_THAT(refusal_of(unit_square + "f\n"), HasSubstr("a.obj:5: a polygon needs three corners or more"));
+}
+
 TEST(ObjStatements, MayBeFoForPolygons) {
     EXPECT_EQ(read_statements(unit_square + "fo 1 2 3 4\n").surfaces.size(), 1);
 }

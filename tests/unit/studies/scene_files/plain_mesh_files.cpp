@@ -173,6 +173,17 @@ TEST(PlainMeshFiles, AreRefusedWithTheReason) {
         EXPECT_THAT(plain_fault(std::string(fault.name), fault.bytes), HasSubstr(fault.message));
 }
 
+TEST(StlFiles, HaveAFaceForEverySolid) {
+    const std::string triangle =
+        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 {}\nendloop\nendfacet\n";
+    std::string text;
+    for (const std::string_view name : {"", " wall", " wall", ""})
+        text += fmt::format("solid{}\n{}endsolid\n", name, fmt::format(fmt::runtime(triangle), text.size()));
+    const std::string obj = read_stl("a.stl", text).as_obj();
+    for (const std::string_view group : {"g mesh\n", "g wall\n", "g wall.2\n", "g mesh.2\n"})
+        EXPECT_THAT(obj, HasSubstr(group));
+}
+
 std::string gltf_fault(std::string_view json) {
     return fault_in([&] {
         expect_plain_gltf("a.gltf", json);
@@ -199,6 +210,31 @@ TEST(GltfFiles, AreRefusedWhereTheLibraryWouldMisreadThem) {
     EXPECT_THAT(gltf_fault(R"({"asset": )"), HasSubstr("a.gltf:1:11: this is not JSON"));
     EXPECT_THAT(gltf_fault(std::string("glTF\2\0\0\0\x40\0\0\0\2\0\0\0JSON{}", 22)),
                 HasSubstr("a.gltf, byte 12: 64 bytes are announced, and the file has 22 (it was cut off)"));
+}
+
+/// A file with these members, beside a mesh of two triangles.
+std::string gltf_with(std::string_view nodes, std::string_view accessors, std::string_view indices = "1") {
+    return fmt::format(R"({{"nodes": [{}], "accessors": [{}], "bufferViews": [{{"buffer": 0}}], "buffers": [{{}}],
+                           "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "indices": {}}}]}}]}})",
+                       nodes, accessors, indices);
+}
+
+TEST(GltfFiles, AreRefusedWhereItemsDoNotExistOrCornersAreMissing) {
+    const std::string sound = R"({"type": "VEC3", "count": 4}, {"type": "SCALAR", "count": 6})";
+    const auto with = [&](std::string_view old, std::string_view changed) { return with_change(sound, old, changed); };
+    EXPECT_EQ(expect_plain_gltf("a.gltf", gltf_with(R"({"mesh": 0})", sound)), 2);
+    const std::vector<std::pair<std::string, std::string>> faults{
+        {gltf_with(R"({"mesh": 1})", sound), "a.gltf:1:21: mesh: number 1 of meshes does not exist (there are 1"},
+        {gltf_with(R"({"children": [3]})", sound), "children: number 3 of nodes does not exist"},
+        {gltf_with(R"({"matrix": [1, 0, 0]})", sound), "matrix has 3 numbers, and needs 16"},
+        {gltf_with("", sound, "2"), "indices: number 2 of accessors does not exist"},
+        {gltf_with("", sound, "-1"), "indices is no whole number from 0 on"},
+        {gltf_with("", with("VEC3", "VEC2")), "places are of type 'VEC2'"},
+        {gltf_with("", with("6}", "5}")), "its triangles have 5 corners, which is no multiple of 3"},
+        {gltf_with("", with("6}", R"(6, "byteOffset": -4})")), "byteOffset is no whole number from 0 on"},
+        {gltf_with("", with("6}", R"(6, "bufferView": 1})")), "bufferView: number 1 of bufferViews does not exist"},
+    };
+    for (const auto& [json, message] : faults) EXPECT_THAT(gltf_fault(json), HasSubstr(message));
 }
 
 TEST(GltfFiles, MayHaveExtensionsThatLeaveShapesAlone) {

@@ -1,0 +1,79 @@
+#include "studies/scene_files/builder.hpp"
+
+#include "core/geometry/surface_map.hpp"
+#include "studies/scene_files/identity.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_set>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace ff::studies {
+
+/// Keeps one of several identical surfaces of a face. Two that face opposite ways are the sides of a thin plate.
+void SceneBuilder::leave_out_doubles() {
+    std::vector<std::pair<std::uint64_t, std::size_t>> prints;
+    for (const Surface& surface : scene_.surfaces) prints.emplace_back(fingerprint(surface), prints.size());
+    std::sort(prints.begin(), prints.end());
+    std::vector<bool> is_double(scene_.surfaces.size());
+    for (std::size_t i = 0; i < prints.size(); ++i) {
+        const auto [print, second] = prints[i];
+        const Surface& surface = scene_.surfaces[second];
+        for (std::size_t k = i; k > 0 && prints[k - 1].first == print; --k) {
+            const std::size_t first = prints[k - 1].second;
+            const Surface& other = scene_.surfaces[first];
+            if (numbers_of(other) != numbers_of(surface) || other.normal.dot(surface.normal) < 0) continue;
+            if (other.face != surface.face)
+                fail(lines_[second], "{} is the same as {} of line {} (rays could end on either). Keep one.",
+                     owner(surface.face), owner(other.face), lines_[first]);
+            is_double[second] = true;
+            note(PolygonChange::twice, lines_[second]);
+            break;
+        }
+    }
+    leave_out(is_double);
+}
+
+void SceneBuilder::leave_out(const std::vector<bool>& is_left_out) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < scene_.surfaces.size(); ++i) {
+        if (is_left_out[i]) continue;
+        scene_.surfaces[kept] = scene_.surfaces[i];
+        lines_[kept++] = lines_[i];
+    }
+    scene_.surfaces.resize(kept);
+    lines_.resize(kept);
+}
+
+/// Rounding makes triangles of three corners that were meant to lie in a line: on which side of it they lie is chance,
+/// and rays that begin on them may begin behind the neighbouring surface. A face keeps its only surfaces.
+void SceneBuilder::leave_out_slivers() {
+    constexpr double most_heights = 4;  // three corners may be off by sqrt(3) roundings each, in opposite directions
+    const double height = most_heights * scene_.coordinate_rounding;
+    if (height == 0) return;
+    std::vector<bool> is_sliver(scene_.surfaces.size());
+    std::vector<bool> has_others(scene_.faces.size());
+    std::unordered_set<std::uint64_t> lines;  // of what is kept
+    for (std::size_t i = 0; i < is_sliver.size(); ++i) {
+        const Surface& surface = scene_.surfaces[i];
+        if (const auto* triangle = std::get_if<Triangle>(&surface.shape)) {
+            const double longest = std::max({(triangle->b - triangle->a).norm(), (triangle->c - triangle->b).norm(),
+                                             (triangle->a - triangle->c).norm()});
+            is_sliver[i] = 2 * area(surface.shape) <= height * longest;
+        }
+        if (is_sliver[i]) continue;
+        lines.insert(lines_[i]);
+        if (surface.face != no_face) has_others[static_cast<std::size_t>(surface.face)] = true;
+    }
+    for (std::size_t i = 0; i < is_sliver.size(); ++i) {
+        const int face = scene_.surfaces[i].face;
+        if (face != no_face && !has_others[static_cast<std::size_t>(face)]) is_sliver[i] = false;
+        if (is_sliver[i] && !lines.contains(lines_[i])) note(PolygonChange::no_area, lines_[i]);
+    }
+    leave_out(is_sliver);
+}
+
+}  // namespace ff::studies

@@ -1,0 +1,126 @@
+// Corners that lie on an edge of their polygon but for the rounding of coordinates, and rows of rooms whose corners do
+// not quite meet.
+
+#include "core/geometry/scene.hpp"
+#include "studies/form_factors/form_factors.hpp"
+#include "studies/scene_files/scene_file.hpp"
+
+#include <fmt/format.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <string_view>
+
+namespace ff::studies {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A closed room of 4 x 3 x 2.5, turned around the vertical. Its floor and south wall share a fifth corner on their
+/// edge.
+std::string room_with_corner_on_edge(double degrees, int decimals) {
+    const double angle = degrees * std::numbers::pi / 180;
+    std::string text = "# closed\n";
+    const std::array<std::array<double, 3>, 9> corners{
+        {{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0}, {0, 0, 2.5}, {4, 0, 2.5}, {4, 3, 2.5}, {0, 3, 2.5}, {1.3, 0, 0}}};
+    for (const auto& [x, y, z] : corners)
+        text += fmt::format("v {:.{}f} {:.{}f} {}\n", x * std::cos(angle) - y * std::sin(angle), decimals,
+                            x * std::sin(angle) + y * std::cos(angle), decimals, z);
+    return text +
+           "g floor\nf 1 9 2 3 4\ng roof\nf 5 8 7 6\ng south\nf 1 5 6 2 9\ng east\nf 2 6 7 3\ng north\nf 3 7 8 4\n"
+           "g west\nf 4 8 5 1\n";
+}
+
+double factor(const Scene& scene, std::size_t from, std::size_t to) {
+    const auto matrix = form_factors::find_matrix(scene, {});
+    EXPECT_TRUE(form_factors::is_trusted(scene, matrix, 1e-5));
+    return matrix.exchange(from, to).value / matrix.areas[from];
+}
+
+/// In a room whose first faces are its floor and its roof.
+double floor_to_roof(const Scene& scene) {
+    return factor(scene, 0, 1);
+}
+
+/// Of a box, whose faces have other numbers.
+double floor_to_roof_of_box(std::string_view title) {
+    return factor(make_scene(title), 0, 5);
+}
+
+TEST(CornersOnEdges, OpenNoHoleWhereTheyAreRounded) {
+    const double exact = floor_to_roof_of_box("box:4x3x2.5");
+    for (const double degrees : {5.0, 17.0, 30.0, 45.0}) {
+        for (const int decimals : {6, 7, 8, 9, 10, 12}) {
+            const Scene scene = make_scene(source_of_file("a.obj", room_with_corner_on_edge(degrees, decimals)));
+            const SceneDoubts doubts = examine_scene(scene);
+            EXPECT_THAT(doubts.faults, IsEmpty()) << degrees << " " << decimals;
+            EXPECT_THAT(doubts.notes, IsEmpty()) << degrees << " " << decimals;
+            EXPECT_NEAR(floor_to_roof(scene), exact, std::pow(10, -decimals)) << degrees << " " << decimals;
+        }
+    }
+}
+
+TEST(CornersOnEdges, ArePartsOfTheOutlineWhereNothingIsRounded) {
+    // The floor has a notch, which the wall's fifth corner fills: 5e-10 of the floor's area.
+    const std::string text =
+        "# closed\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv .5 1e-9 0\n"
+        "g floor\nf 1 9 2 3 4\ng roof\nf 5 8 7 6\ng south\nf 1 5 6 2 9\ng east\nf 2 6 7 3\ng north\nf 3 7 8 4\n"
+        "g west\nf 4 8 5 1\n";
+    const Scene scene = make_scene(source_of_file("a.obj", text));
+    EXPECT_THAT(examine_scene(scene).faults, IsEmpty());
+    EXPECT_NEAR(floor_to_roof(scene), floor_to_roof_of_box("box:1x1x1"), 1e-8);
+}
+
+TEST(Winding, IsAFaultWhereSurfacesOfATomlFaceDisagree) {
+    constexpr std::string_view half = "[[surface]]\nface = '{}'\nshape = 'triangle'\na = [0, 0, {}]\nb = {}\nc = {}\n";
+    const auto scene_of = [&](std::string_view second, std::string_view third) {
+        return make_scene(
+            source_of_file("a.toml", fmt::format(fmt::runtime(half), "floor", 0, "[1, 0, 0]", "[1, 1, 0]") +
+                                         fmt::format(fmt::runtime(half), "floor", 0, second, third) +
+                                         fmt::format(fmt::runtime(half), "roof", 1, "[0, 1, 1]", "[1, 1, 1]")));
+    };
+    EXPECT_THAT(examine_scene(scene_of("[1, 1, 0]", "[0, 1, 0]")).faults, IsEmpty());
+    EXPECT_THAT(examine_scene(scene_of("[0, 1, 0]", "[1, 1, 0]")).faults,
+                ElementsAre(HasSubstr("surfaces of face 'floor' meet in an edge and face opposite ways")));
+}
+
+/// A room of 60 x 40 x 10 whose roof is too narrow by a gap along one wall.
+std::string room_with_gap(double gap) {
+    return fmt::format(
+        "C encl=1\nF 3\nV 1 0 0 0\nV 2 60 0 0\nV 3 60 40 0\nV 4 0 40 0\nV 5 0 0 10\nV 6 60 0 10\nV 7 60 40 10\n"
+        "V 8 0 40 10\nV 9 {0} 0 10\nV 10 {0} 40 10\nS 1 1 2 3 4 0 0 .9 floor\nS 2 9 10 7 6 0 0 .9 roof\n"
+        "S 3 1 5 6 2 0 0 .9 south\nS 4 2 6 7 3 0 0 .9 east\nS 5 3 7 8 4 0 0 .9 north\nS 6 4 8 5 1 0 0 .9 west\n",
+        gap);
+}
+
+TEST(Gaps, BelowTheToleranceLetEntriesOfARowAddUpToOne) {
+    const Scene scene = make_scene(source_of_file("a.vs3", room_with_gap(0.01)));
+    for (const double tolerance : {1e-3, 1e-2}) {
+        form_factors::Request request;
+        request.tolerance = tolerance;
+        const auto matrix = form_factors::find_matrix(scene, request);
+        EXPECT_TRUE(form_factors::is_trusted(scene, matrix, tolerance));
+        EXPECT_GT(matrix.leak, 1e-5);
+        for (std::size_t row = 0; row < matrix.faces(); ++row) {
+            double low = 0;
+            double high = 0;
+            for (std::size_t column = 0; column < matrix.faces(); ++column) {
+                low += matrix.exchange(row, column).low / matrix.areas[row];
+                high += matrix.exchange(row, column).high / matrix.areas[row];
+            }
+            EXPECT_LE(low, 1);
+            EXPECT_GE(high, 1) << row << " " << tolerance;
+        }
+    }
+    EXPECT_FALSE(form_factors::is_trusted(scene, form_factors::find_matrix(scene, {}), 1e-5));
+}
+
+}  // namespace
+}  // namespace ff::studies
