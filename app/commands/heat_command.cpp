@@ -24,6 +24,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -140,13 +141,19 @@ std::optional<studies::form_factors::KeptMatrix> kept_in_folder(const studies::f
         folder.string(), difference);
 }
 
-const std::vector<std::string> gebhart_files{"gebhart.csv", "gebhart.npz", "gebhart_half_widths.npz", "script_f.npz",
-                                             "script_f_half_widths.npz"};
+constexpr std::array gebhart_matrices{"gebhart", "gebhart_half_widths", "script_f", "script_f_half_widths"};
+
+std::vector<std::string> gebhart_files() {
+    std::vector<std::string> all{"gebhart.csv"};
+    for (const std::string name : gebhart_matrices) all.insert(all.end(), {name + ".npz", name + ".mtx"});
+    return all;
+}
 
 std::vector<std::string> heat_files() {
     std::vector<std::string> all{"heat.csv",     "groups.csv",  "heat.json",
                                  "context.json", "report.html", matrix_store_file};
-    all.insert(all.end(), gebhart_files.begin(), gebhart_files.end());
+    const std::vector<std::string> more = gebhart_files();
+    all.insert(all.end(), more.begin(), more.end());
     return all;
 }
 
@@ -159,18 +166,19 @@ void write_gebhart_files(OutputFolder& folder, const Scene& scene,
     folder.write("gebhart.csv", [&](std::ostream& file) { reports::write_gebhart_csv(file, scene, factors); });
     const auto rows = static_cast<Eigen::Index>(scene.faces.size());
     const auto columns = static_cast<Eigen::Index>(factors.size()) / rows;
-    for (const auto& [name, quantity] :
-         {std::pair("gebhart", &GebhartFactor::gebhart), std::pair("script_f", &GebhartFactor::script_f)}) {
-        for (const auto& [suffix, part] :
-             {std::pair("", &Bounds::middle), std::pair("_half_widths", &Bounds::half_width)}) {
+    const auto* name = gebhart_matrices.begin();
+    for (const auto quantity : {&GebhartFactor::gebhart, &GebhartFactor::script_f}) {
+        for (const auto part : {&Bounds::middle, &Bounds::half_width}) {
+            const std::string file = *name++;
             std::vector<Eigen::Triplet<double>> entries;
             for (const GebhartFactor& factor : factors)
                 entries.emplace_back(static_cast<int>(factor.from), static_cast<int>(factor.to),
                                      ((factor.*quantity).*part)());
             studies::form_factors::Matrix::Sparse matrix(rows, columns);
             matrix.setFromTriplets(entries.begin(), entries.end());
-            folder.write(fmt::format("{}{}.npz", name, suffix),
-                         [&](std::ostream& file) { reports::write_sparse_npz(file, matrix); });
+            folder.write(file + ".npz", [&](std::ostream& out) { reports::write_sparse_npz(out, matrix); });
+            folder.write(file + ".mtx",
+                         [&](std::ostream& out) { reports::write_sparse_matrix_market(out, matrix, scene.name); });
         }
     }
 }
@@ -180,7 +188,7 @@ void write_heat_files(OutputFolder& folder, const HeatCommand& command, const st
                       const std::vector<std::string>& warnings) {
     folder.write("heat.csv", [&](std::ostream& file) { reports::write_heat_csv(file, report); });
     folder.write("groups.csv", [&](std::ostream& file) { reports::write_groups_csv(file, report); });
-    for (const std::string& file : gebhart_files) folder.remove(file);
+    for (const std::string& file : gebhart_files()) folder.remove(file);
     if (command.gebhart)
         write_gebhart_files(
             folder, kept.scene,

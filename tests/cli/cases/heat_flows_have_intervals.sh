@@ -136,6 +136,12 @@ for (a, b), (low, high) in script.items():
 import zipfile
 for name in ("gebhart", "gebhart_half_widths", "script_f", "script_f_half_widths"):
     assert {"data.npy", "indices.npy", "indptr.npy", "shape.npy"} <= set(zipfile.ZipFile(f"loaded/{name}.npz").namelist())
+names = list(areas)
+shape, *values = [line for line in open("loaded/script_f.mtx") if not line.startswith("%")]
+assert shape.split() == [str(len(names))] * 2
+for place, value in enumerate(values):  # column by column
+    low, high = script[names[place % len(names)], names[place // len(names)]]
+    assert abs(float(value) - (low + high) / 2) <= 1e-15, place
 PYTHON
 ffstudy form-factors furnace.obj --tolerance 1e-2 --out one_by_one --quiet
 ffstudy heat --load one_by_one --materials materials.toml
