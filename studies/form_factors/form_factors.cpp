@@ -6,6 +6,7 @@
 #include "core/visibility/mirrors.hpp"
 #include "stats/error_rates/multiplicity.hpp"
 #include "studies/form_factors/amendments.hpp"
+#include "studies/form_factors/closure.hpp"
 #include "studies/form_factors/matrix_builder.hpp"
 #include "studies/form_factors/sample_pairs.hpp"
 
@@ -64,99 +65,6 @@ void drop(Matrix& matrix, std::vector<DroppedExchange> dropped, double below) {
     }
     // Only pairs of different faces are dropped: a factor of a face to itself is kept, however small.
     matrix.dropped /= 2;
-}
-
-/// How much may be missing from a row's sum, and by how much it may be too large.
-struct Misses {
-    double missing = 0;
-    double excess = 0;
-};
-
-/// The part that an entry lacks is missing from both rows that share it; where only one of them is known to miss
-/// anything, that one counts.
-double common(double first, double second) {
-    return first > 0 && second > 0 ? std::min(first, second) : std::max(first, second);
-}
-
-/// A share of lost rays, with an allowance for chance where few are lost.
-double share_of(const std::pair<std::uint64_t, std::uint64_t>& lost) {
-    constexpr double unseen = 3;
-    return lost.first == 0
-               ? 0
-               : std::min(1.0, (static_cast<double>(lost.first) + unseen) / static_cast<double>(lost.second));
-}
-
-/// By how much the intervals of a row's entries cannot add up to 1, in areas of exchange.
-std::vector<Misses> misses_of_entries(const Matrix& matrix) {
-    constexpr double rounding = 1e-12;
-    std::vector<std::pair<double, double>> sums(matrix.faces());
-    for (const FaceExchange& exchange : matrix.exchanges) {
-        const auto add = [&](std::size_t face) {
-            sums[face].first += exchange.low;
-            sums[face].second += exchange.high;
-        };
-        add(exchange.from);
-        if (exchange.to != exchange.from) add(exchange.to);
-    }
-    std::vector<Misses> misses(matrix.faces());
-    for (std::size_t face = 0; face < matrix.faces(); ++face) {
-        const auto& [low, high] = sums[face];
-        const double area = matrix.areas[face];
-        if (area - high > rounding * area) misses[face].missing = area - high;
-        if (low - area > rounding * area) misses[face].excess = low - area;
-    }
-    return misses;
-}
-
-/// Judges the rows of a closed scene, which add up to 1 but for gaps between its surfaces. Where none misses 1 by more
-/// than the tolerance, Matrix::leak says by how much, and the intervals of entries hold what passes through the gaps;
-/// otherwise the rows that miss it exclude 1.
-/// @param lost  rays that met nothing and all rays, by row
-/// @param add_up  no surface is without a face
-void judge_closure(Matrix& matrix, const std::vector<std::pair<std::uint64_t, std::uint64_t>>& lost, bool add_up,
-                   const Request& request) {
-    double most = 0;
-    for (const RowSum& row : matrix.rows) most = std::max(most, row.off_one);
-    if (most > request.tolerance) {
-        for (RowSum& row : matrix.rows) row.excludes_one = row.off_one > 0;
-        return;
-    }
-    // Entries may be known better than the row's sum is, which has to allow for what no point has met.
-    std::vector<Misses> misses(matrix.faces());
-    if (add_up) misses = misses_of_entries(matrix);
-    for (std::size_t face = 0; face < matrix.faces(); ++face) {
-        const RowSum& row = matrix.rows[face];
-        const double area = matrix.areas[face];
-        Misses& own = misses[face];
-        if (std::max(own.missing, own.excess) > request.tolerance * area)
-            own = {};  // no gap of that size is allowed for
-        const bool is_off = row.off_one > 0;
-        if (is_off || own.missing > 0 || own.excess > 0) matrix.leak = std::max(matrix.leak, std::abs(1 - row.value));
-        own.missing = std::max({own.missing, is_off ? (1 - row.low) * area : 0, share_of(lost[face]) * area});
-        own.excess = std::max(own.excess, is_off ? (row.high - 1) * area : 0);
-        matrix.leak = std::max(matrix.leak, share_of(lost[face]));
-    }
-    if (matrix.leak == 0) return;
-    const auto widen = [&](FaceExchange& exchange, double missing, double excess) {
-        const double limit = std::max(exchange.high, matrix.smaller_area(exchange));
-        exchange.high = std::min(limit, exchange.high + missing);
-        exchange.low = std::max(0.0, exchange.low - excess);
-    };
-    for (FaceExchange& exchange : matrix.exchanges) {
-        const Misses& from = misses[exchange.from];
-        const Misses& to = misses[exchange.to];
-        widen(exchange, common(from.missing, to.missing), common(from.excess, to.excess));
-    }
-    // A row may miss more than all that it shares with others.
-    const std::vector<Misses> left = add_up ? misses_of_entries(matrix) : std::vector<Misses>(matrix.faces());
-    for (FaceExchange& exchange : matrix.exchanges) {
-        const auto at_most = [&](double Misses::*which, std::size_t face) {
-            return left[face].*which <= request.tolerance * matrix.areas[face] ? left[face].*which : 0;
-        };
-        widen(exchange, std::max(at_most(&Misses::missing, exchange.from), at_most(&Misses::missing, exchange.to)),
-              std::max(at_most(&Misses::excess, exchange.from), at_most(&Misses::excess, exchange.to)));
-        exchange.within = is_within(matrix, exchange, request);
-    }
 }
 
 /// Scales areas from the unit of the computation to that of the scene.

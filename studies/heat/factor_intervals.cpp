@@ -1,7 +1,6 @@
 #include "studies/heat/factor_intervals.hpp"
 
-#include "stats/basics/distributions.hpp"
-#include "studies/form_factors/sampled_row.hpp"
+#include "studies/form_factors/closure.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -25,9 +24,10 @@ FactorBounds factor_bounds(const Scene& scene, const form_factors::Matrix& matri
     };
     for (const form_factors::FaceExchange& exchange : matrix.exchanges) {
         const double width = exchange.is_sampled() ? std::max(widths[exchange.from], widths[exchange.to]) : 1;
-        const double least = exchange.low - (width - 1) * (exchange.value - exchange.low);
-        const double most = exchange.high + (width - 1) * (exchange.high - exchange.value);
-        const auto set_from = [&](Index i, Index j, double area) { set(i, j, least / area, most / area); };
+        const auto [least, most] = form_factors::widened(exchange, width);
+        const auto set_from = [&, low_end = least, high_end = most](Index i, Index j, double area) {
+            set(i, j, low_end / area, high_end / area);
+        };
         set_from(exchange.from, exchange.to, matrix.areas[exchange.from]);
         if (exchange.from != exchange.to) set_from(exchange.to, exchange.from, matrix.areas[exchange.to]);
     }
@@ -42,17 +42,6 @@ FactorBounds factor_bounds(const Scene& scene, const form_factors::Matrix& matri
     return bounds;
 }
 
-/// How much wider the intervals of all sampled factors are if one of them misses with a probability of 1e-6. The
-/// intervals are Student's.
-double widest(const form_factors::Matrix& matrix) {
-    constexpr double chance = 1e-6;
-    constexpr auto freedom = static_cast<double>(form_factors::randomisations - 1);
-    const auto sampled = std::ranges::count_if(matrix.exchanges, &form_factors::FaceExchange::is_sampled);
-    const double tail = (1 - matrix.entry_level) / 2;
-    const double smaller = chance / 2 / static_cast<double>(std::max<std::ptrdiff_t>(1, sampled));
-    return tail <= smaller ? 1 : stats::student_critical(freedom, smaller) / stats::student_critical(freedom, tail);
-}
-
 }  // namespace
 
 PossibleFactors possible_factors(const Scene& scene, const form_factors::Matrix& matrix) {
@@ -60,7 +49,7 @@ PossibleFactors possible_factors(const Scene& scene, const form_factors::Matrix&
     PossibleFactors factors{factor_bounds(scene, matrix, widths), {}};
     for (std::size_t i = 0; i < matrix.faces(); ++i) {
         if (can_add_up(factors.bounds, static_cast<Index>(i))) continue;
-        widths[i] = widest(matrix);
+        widths[i] = form_factors::widest_by_chance(matrix);
         factors.widened.push_back(i);
     }
     if (!factors.widened.empty()) factors.bounds = factor_bounds(scene, matrix, widths);
