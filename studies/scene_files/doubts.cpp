@@ -4,6 +4,7 @@
 #include "core/visibility/mirrors.hpp"
 #include "core/visibility/standing.hpp"
 #include "studies/readers/printable.hpp"
+#include "studies/scene_files/doubt_words.hpp"
 #include "studies/scene_files/formats.hpp"
 #include "studies/scene_files/orientation.hpp"
 #include "studies/scene_files/scene_file.hpp"
@@ -23,35 +24,12 @@ namespace ff::studies {
 namespace {
 
 constexpr std::size_t most_surfaces_examined = 65536;
-constexpr std::size_t most_named = 3;
 constexpr std::size_t most_faces_examined = 4096;
 /// The rounding of coordinates is noticeable above this share of a face's size, which is the root of its area.
 constexpr double noticeable = 1e-9;
 
-/// Adds a text after the name of the scene.
-template <class... Values>
-void add(std::vector<std::string>& doubts, const Scene& scene, fmt::format_string<Values...> text, Values&&... values) {
-    doubts.push_back(fmt::format("scene '{}': {}", scene.name, fmt::format(text, std::forward<Values>(values)...)));
-}
-
-std::string and_other_pairs(std::size_t count) {
-    return count == 0 ? std::string() : fmt::format(" and {} other pair{}", count, count == 1 ? "" : "s");
-}
-
-/// The names of some faces, and how many more there are.
-std::string names(const Scene& scene, const std::vector<std::size_t>& faces) {
-    std::vector<std::string> all;
-    for (const std::size_t face : faces) all.push_back(fmt::format("'{}'", scene.faces[face]));
-    return fmt::format("{} {}", faces.size() == 1 ? "face" : "faces", first_names(std::move(all), most_named));
-}
-
-const std::string& name_of_face(const Scene& scene, int face) {
-    return scene.faces[static_cast<std::size_t>(face)];
-}
-
-std::string face_in_words(const Scene& scene, int face) {
-    return face < 0 ? std::string("an occluder") : fmt::format("face '{}'", name_of_face(scene, face));
-}
+/// Overlaps of less of either face are no fault in a closed scene.
+constexpr double slight = 1e-6;
 
 /// The two sides of a thin wall may be as close to each other as they like.
 void add_near(const Scene& scene, const LevelOverlap& overlap, SceneDoubts& doubts) {
@@ -173,18 +151,22 @@ void add_overlaps(const Scene& scene, SceneDoubts& doubts) {
         const auto& [same_side, low, high] = key;
         const std::string& face = name_of_face(scene, high);
         const double share = 100 * area / face_area(scene, high);
+        // What rounded corners let overlap in a closed scene is measured with the form factors, like gaps.
+        const bool is_slight =
+            scene.closed && low >= 0 && area <= slight * std::min(face_area(scene, low), face_area(scene, high));
+        auto& same_side_doubts = is_slight ? doubts.notes : doubts.faults;
         if (low < 0) {
             add(same_side ? doubts.faults : doubts.notes, scene,
                 "an occluder lies on face '{}' in one plane and covers {:.3g} % of it (it is taken to lie behind the "
                 "face and hides nothing of it). Move it a little in front of the face, or cut the face out beneath it.",
                 face, share);
         } else if (same_side && low == high) {
-            add(doubts.faults, scene,
+            add(same_side_doubts, scene,
                 "surfaces of face '{}' lie over each other in one plane, {:.3g} % of it (what lies twice is counted "
                 "twice). Remove one of them.",
                 face, share);
         } else if (same_side) {
-            add(doubts.faults, scene,
+            add(same_side_doubts, scene,
                 "faces '{}' and '{}' lie over each other in one plane and radiate to the same side, {:.3g} % of '{}' "
                 "(neither is taken to hide the other: what arrives there is counted for one or for both). Move the one "
                 "that is seen a little to the front, or cut the other out beneath it.",
@@ -308,7 +290,7 @@ void add_orientation(const Scene& scene, SceneDoubts& doubts) {
     if (leaks) {
         // What passes through a small gap is measured with the form factors, and is not a fault below their tolerance.
         constexpr double small = 0.01;
-        const bool is_small = static_cast<double>(lost) <= small * static_cast<double>(rays);
+        const bool is_small = probes.area_lost <= small * probes.area;
         add(is_small ? doubts.notes : doubts.faults, scene,
             "{} of {} rays meet nothing, though the scene is said to be closed (a {}, as seen from {}). Close it, or "
             "do not say that it is closed.",

@@ -2,6 +2,7 @@
 
 #include "core/geometry/fwd.hpp"
 #include "studies/readers/names.hpp"
+#include "studies/scene_files/meshes/formats.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "studies/scene_files/scene_with_materials.hpp"
 
@@ -29,9 +30,6 @@ ZoneScene read_energyplus_scene(std::string_view name, std::string_view text, co
 
 template <>
 inline constexpr auto names_of<Facing> = name_table(Named{Facing::outward, "outward"}, Named{Facing::inward, "inward"});
-
-/// Groups of this name are occluders rather than faces.
-inline constexpr std::string_view occluder_group = "occluder";
 
 /// Whether a file name ends with this extension, in upper or lower case. @param extension  in lower case
 bool has_extension(std::string_view name, std::string_view extension);

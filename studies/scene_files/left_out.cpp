@@ -49,28 +49,40 @@ void SceneBuilder::leave_out(const std::vector<bool>& is_left_out) {
 }
 
 /// Rounding makes triangles of three corners that were meant to lie in a line: on which side of it they lie is chance,
-/// and rays that begin on them may begin behind the neighbouring surface. A face keeps its only surfaces.
+/// and rays that begin on them may begin behind the neighbouring surface. Where triangles that are no higher than
+/// coordinates may be off make up more than a millionth of a face, or of all occluders, they are kept.
 void SceneBuilder::leave_out_slivers() {
     constexpr double most_heights = 4;  // three corners may be off by sqrt(3) roundings each, in opposite directions
+    constexpr double most_of_face = 1e-6;
     const double height = most_heights * scene_.coordinate_rounding;
     if (height == 0) return;
+    struct Areas {
+        double all = 0;
+        double slivers = 0;
+    };
     std::vector<bool> is_sliver(scene_.surfaces.size());
-    std::vector<bool> has_others(scene_.faces.size());
-    std::unordered_set<std::uint64_t> lines;  // of what is kept
+    std::vector<Areas> areas(scene_.faces.size() + 1);  // the last: of occluders
+    const auto areas_of = [&](const Surface& surface) -> Areas& {
+        return surface.face == no_face ? areas.back() : areas[static_cast<std::size_t>(surface.face)];
+    };
     for (std::size_t i = 0; i < is_sliver.size(); ++i) {
         const Surface& surface = scene_.surfaces[i];
-        if (const auto* triangle = std::get_if<Triangle>(&surface.shape)) {
-            const double longest = std::max({(triangle->b - triangle->a).norm(), (triangle->c - triangle->b).norm(),
-                                             (triangle->a - triangle->c).norm()});
-            is_sliver[i] = 2 * area(surface.shape) <= height * longest;
-        }
-        if (is_sliver[i]) continue;
-        lines.insert(lines_[i]);
-        if (surface.face != no_face) has_others[static_cast<std::size_t>(surface.face)] = true;
+        const double own = area(surface.shape);
+        areas_of(surface).all += own;
+        const auto* triangle = std::get_if<Triangle>(&surface.shape);
+        if (triangle == nullptr) continue;
+        const double longest = std::max({(triangle->b - triangle->a).norm(), (triangle->c - triangle->b).norm(),
+                                         (triangle->a - triangle->c).norm()});
+        is_sliver[i] = 2 * own <= height * longest;
+        if (is_sliver[i]) areas_of(surface).slivers += own;
+    }
+    std::unordered_set<std::uint64_t> lines;  // of what is kept
+    for (std::size_t i = 0; i < is_sliver.size(); ++i) {
+        const Areas& face = areas_of(scene_.surfaces[i]);
+        is_sliver[i] = is_sliver[i] && face.slivers <= most_of_face * face.all;
+        if (!is_sliver[i]) lines.insert(lines_[i]);
     }
     for (std::size_t i = 0; i < is_sliver.size(); ++i) {
-        const int face = scene_.surfaces[i].face;
-        if (face != no_face && !has_others[static_cast<std::size_t>(face)]) is_sliver[i] = false;
         if (is_sliver[i] && !lines.contains(lines_[i])) note(PolygonChange::no_area, lines_[i]);
     }
     leave_out(is_sliver);

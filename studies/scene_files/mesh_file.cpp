@@ -64,7 +64,8 @@ class ObjWriter {
         if (name.empty()) return std::string(meshes::unnamed_group);
         std::string& group = groups_[{&node, name}];
         if (group.empty()) group = name;
-        for (int number = 2; owners_.try_emplace(group, &node).first->second != &node; ++number)
+        for (int number = 2; group != occluder_group && owners_.try_emplace(group, &node).first->second != &node;
+             ++number)
             group = fmt::format("{}.{}", name, number);
         return group;
     }

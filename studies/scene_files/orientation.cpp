@@ -58,14 +58,19 @@ void probe(const Scene& scene, std::size_t side, SideProbes& probes) {
         if (area(surface.shape) < least_share_probed * areas[from]) continue;
         tracer->find_ends(surface, static_cast<std::uint32_t>(s), undivided, 0, *block, hits);
         probes.rays[2 * from + side] += hits.size();
+        std::size_t lost = 0;
         for (const Hit& hit : hits) {
             if (hit.surface == no_surface) {
-                ++probes.lost[2 * from + side];
+                ++lost;
             } else if (is_of_face(scene.surfaces[hit.surface])) {
                 const auto to = static_cast<std::size_t>(scene.surfaces[hit.surface].face);
                 ++probes.met(from, side, to, hit.received ? side : 1 - side);
             }
         }
+        probes.lost[2 * from + side] += lost;
+        if (side != 0) continue;
+        probes.area += area(surface.shape);
+        probes.area_lost += area(surface.shape) * static_cast<double>(lost) / static_cast<double>(hits.size());
     }
 }
 

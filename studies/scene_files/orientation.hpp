@@ -31,6 +31,8 @@ struct SideProbes {
     std::vector<std::size_t> ends;  ///< use `met`
     std::vector<std::size_t> rays;  ///< [2 * face + side]
     std::vector<std::size_t> lost;  ///< [2 * face + side]
+    double area = 0;                ///< of the surfaces whose front sides were probed
+    double area_lost = 0;           ///< the same, each times its share of lost rays
 
     /// Number of rays from one side of a face that ended on one side of another.
     [[nodiscard]] std::size_t& met(std::size_t from, std::size_t side, std::size_t to, std::size_t on) {

@@ -81,8 +81,9 @@ std::vector<Sensor> read_sensor_file(const std::string& from) {
     std::vector<Sensor> sensors;
     const std::size_t width = record.size();
     while (reader.next(record)) {
-        if (record.size() > width)
-            reader.fail(record[width], "there are more values than columns. Write 0.5 where 0,5 is meant.");
+        if (record.size() != width)
+            reader.fail(record.back(), fmt::format("{} values stand under {} columns. Write 0.5 where 0,5 is meant.",
+                                                   record.size(), width));
         Sensor& sensor = sensors.emplace_back();
         for (std::size_t k = 0; k < sensor.size(); ++k) {
             const auto value =

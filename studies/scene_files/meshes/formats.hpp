@@ -13,6 +13,13 @@
 #include <unordered_map>
 #include <vector>
 
+namespace ff::studies {
+
+/// Groups of this name are occluders rather than faces.
+inline constexpr std::string_view occluder_group = "occluder";
+
+}  // namespace ff::studies
+
 namespace ff::studies::meshes {
 
 /// The beginning of a comment in OBJ files that holds a note on a converted mesh.

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,6 +30,7 @@ constexpr std::array<std::string_view, 5> extensions_of_shapes{"EXT_mesh_gpu_ins
                                                                "EXT_meshopt_compression", "KHR_meshopt_compression",
                                                                "KHR_node_visibility"};
 constexpr double single_precision_code = 5126;
+constexpr int bytes_of_place = 12;
 constexpr double mode_of_triangles =
     4;  // the mode of a primitive; below it are points and lines, above it strips and fans
 
@@ -72,12 +74,11 @@ class GltfCheck {
         if (has_numbers()) expect_numbers_that_exist();
     }
 
-    /// The number of triangles in all meshes; 0 where it is not known. @pre it has run
+    /// The number of triangles in the meshes of the scene, each counted once; 0 where it is not known. @pre it has run
     [[nodiscard]] std::size_t triangles_announced() const {
         std::size_t sum = 0;
-        if (!has_numbers()) return sum;
-        for (const JsonValue& mesh : items(root_, "meshes")) {
-            for (const JsonValue& primitive : items(mesh, "primitives")) {
+        for (const std::size_t mesh : meshes_of_scene()) {
+            for (const JsonValue& primitive : items(items(root_, "meshes")[mesh], "primitives")) {
                 const JsonValue* const position = place_of(primitive);
                 if (position == nullptr || mode_of(primitive) < mode_of_triangles) continue;
                 const std::size_t corners = corners_of(primitive, *position);
@@ -105,7 +106,35 @@ class GltfCheck {
         return meshes != nullptr && meshes->kind == JsonValue::Kind::array;
     }
 
+    /// Meshes of the nodes that the scene has; other scenes and nodes are not read.
+    [[nodiscard]] std::set<std::size_t> meshes_of_scene() const {
+        std::set<std::size_t> meshes;
+        const std::vector<JsonValue>& scenes = items(root_, "scenes");
+        const std::vector<JsonValue>& nodes = items(root_, "nodes");
+        const JsonValue* const chosen = root_.find("scene");
+        const std::size_t scene = chosen == nullptr ? 0 : static_cast<std::size_t>(chosen->number);
+        if (!has_numbers() || scene >= scenes.size()) return meshes;
+        std::set<std::size_t> met;
+        std::vector<const JsonValue*> left;
+        const auto meet = [&](const JsonValue& owner, std::string_view key) {
+            for (const JsonValue& number : items(owner, key)) {
+                const auto node = static_cast<std::size_t>(number.number);
+                if (met.insert(node).second) left.push_back(&nodes[node]);
+            }
+        };
+        meet(scenes[scene], "nodes");
+        while (!left.empty()) {
+            const JsonValue& node = *left.back();
+            left.pop_back();
+            if (const JsonValue* const mesh = node.find("mesh")) meshes.insert(static_cast<std::size_t>(mesh->number));
+            meet(node, "children");
+        }
+        return meshes;
+    }
+
     void expect_numbers_that_exist() const {
+        expect_item(root_, "scene", "scenes");
+
         for (const JsonValue& view : items(root_, "bufferViews")) {
             expect_item(view, "buffer", "buffers");
             expect_natural(view, "byteOffset");
@@ -220,6 +249,13 @@ class GltfCheck {
         if (type != nullptr && type->text != "VEC3")
             reader_.fail(*type, fmt::format("places are of type '{}' (they have three coordinates). Write VEC3.",
                                             excerpt(type->text)));
+        if (const JsonValue* const view = accessor(*position).find("bufferView")) {
+            const JsonValue* const stride =
+                items(root_, "bufferViews")[static_cast<std::size_t>(view->number)].find("byteStride");
+            if (stride != nullptr && stride->number < bytes_of_place)
+                reader_.fail(*stride, fmt::format("byteStride is {}, and a place has {} bytes. Correct it.",
+                                                  stride->number, bytes_of_place));
+        }
         const std::size_t corners = corners_of(primitive, *position);
         if (mode_of(primitive) == mode_of_triangles && corners % 3 != 0)
             reader_.fail(primitive, fmt::format("its triangles have {} corners, which is no multiple of 3 (some are "

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -43,7 +43,7 @@ class StlTextReader {
   private:
     MeshInput in_;
     SurfaceMesh mesh_;
-    std::map<std::string, std::size_t> solids_;  ///< number of solids so far, by name
+    std::set<std::string> groups_;
 
     [[nodiscard]] bool follows(std::string_view keyword) const { return in_small_letters(in_.next_word()) == keyword; }
 
@@ -65,17 +65,33 @@ class StlTextReader {
         return name;
     }
 
+    /// A name that no solid before has; all occluders are one.
+    std::string group_of(const std::string& name) {
+        const std::string first = name.empty() ? std::string(unnamed_group) : name;
+        std::string group = first;
+        for (int number = 2; group != occluder_group && !groups_.insert(group).second; ++number)
+            group = fmt::format("{}.{}", first, number);
+        return group;
+    }
+
+    /// The rest of the line after `endsolid`, or what stands before the next solid in a file of a single line.
+    void skip_name_of_end() {
+        const MeshInput beginning = in_;
+        if (in_small_letters(in_.line()).find(" facet normal ") == std::string::npos) return;
+        in_ = beginning;
+        while (!follows("solid")) static_cast<void>(in_.word());
+    }
+
     /// The rest of the line after `solid` is its name. What stands after `endsolid` is not compared with it, since many
     /// programs write nothing there. Every solid is a group, also where several have the same name or none.
     void read_solid() {
         expect("solid");
         const std::string name = name_of_solid();
         if (!name.empty()) in_.set_section("solid " + name);
-        std::string group = name.empty() ? std::string(unnamed_group) : name;
-        if (const std::size_t number = ++solids_[group]; number > 1) group += fmt::format(".{}", number);
+        const std::string group = group_of(name);
         while (!follows("endsolid")) read_facet(group);
         expect("endsolid");
-        in_.line();
+        skip_name_of_end();
         in_.set_section("");
     }
 

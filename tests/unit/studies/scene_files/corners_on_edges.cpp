@@ -2,6 +2,7 @@
 // not quite meet.
 
 #include "core/geometry/scene.hpp"
+#include "core/geometry/surface_map.hpp"
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/heat/factor_intervals.hpp"
 #include "studies/scene_files/scene_file.hpp"
@@ -13,9 +14,12 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace ff::studies {
 namespace {
@@ -77,6 +81,45 @@ TEST(CornersOnEdges, ArePartsOfTheOutlineWhereNothingIsRounded) {
     const Scene scene = make_scene(source_of_file("a.obj", text));
     EXPECT_THAT(examine_scene(scene).faults, IsEmpty());
     EXPECT_NEAR(floor_to_roof(scene), floor_to_roof_of_box("box:1x1x1"), 1e-8);
+}
+
+TEST(CornersOnEdges, TakeNoAreaFromStripsOfThinTriangles) {
+    // Strips of 0.02, at coordinates of seven digits that are rounded to 0.01, beside a square of the same face.
+    std::string text = "g floor\n";
+    std::size_t corners = 0;
+    const auto add = [&](double x, double width) {
+        for (const auto& [dx, dy] :
+             {std::pair(0.0, 0.0), std::pair(width, 0.0), std::pair(width, 1.0), std::pair(0.0, 1.0)})
+            text += fmt::format("v {:.2f} {:.2f} 0\n", 10000.12 + x + dx, 10000.37 + dy);
+        const auto n = corners;
+        corners += 4;
+        return n;
+    };
+    const std::size_t square = add(0, 1);
+    text += fmt::format("f {} {} {} {}\n", square + 1, square + 2, square + 3, square + 4);
+    for (int strip = 0; strip < 50; ++strip) {
+        const std::size_t n = add(1 + 0.02 * strip, 0.02);
+        text += fmt::format("f {0} {1} {2}\nf {0} {2} {3}\n", n + 1, n + 2, n + 3, n + 4);
+    }
+    EXPECT_NEAR(face_area(make_scene(source_of_file("a.obj", text)), 0), 2, 1e-6);
+}
+
+TEST(CornersOnEdges, OpenNoHoleWhereTheyBendANeighbour) {
+    // An attic whose floor and sides share a corner on each eave: rounding bends the sides, whose slivers then lie on
+    // those of the floor.
+    std::string text = "# closed\n";
+    for (const auto& [x, y, z] : std::vector<std::array<double, 3>>{
+             {0, 0, 0}, {8, 0, 0}, {8, 6, 0}, {0, 6, 0}, {0, 3, 2}, {8, 3, 2}, {3.3, 0, 0}, {4.7, 6, 0}}) {
+        const double angle = 0.3;
+        text += fmt::format("v {:.3f} {:.3f} {:.3f}\n", x * std::cos(angle) - y * std::sin(angle),
+                            x * std::sin(angle) + y * std::cos(angle), z);
+    }
+    text += "g floor\nf 1 7 2 3 8 4\ng south\nf 1 5 6 2 7\ng north\nf 3 6 5 4 8\ng east\nf 2 6 3\ng west\nf 4 5 1\n";
+    const Scene scene = make_scene(source_of_file("a.obj", text));
+    EXPECT_THAT(examine_scene(scene).faults, IsEmpty());
+    form_factors::Request request;
+    request.tolerance = 1e-3;
+    EXPECT_TRUE(form_factors::is_trusted(scene, form_factors::find_matrix(scene, request), request.tolerance));
 }
 
 TEST(Winding, IsAFaultWhereSurfacesOfATomlFaceDisagree) {

@@ -174,14 +174,21 @@ TEST(PlainMeshFiles, AreRefusedWithTheReason) {
 }
 
 TEST(StlFiles, HaveAFaceForEverySolid) {
-    const std::string triangle =
-        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 {}\nendloop\nendfacet\n";
-    std::string text;
-    for (const std::string_view name : {"", " wall", " wall", ""})
-        text += fmt::format("solid{}\n{}endsolid\n", name, fmt::format(fmt::runtime(triangle), text.size()));
-    const std::string obj = read_stl("a.stl", text).as_obj();
-    for (const std::string_view group : {"g mesh\n", "g wall\n", "g wall.2\n", "g mesh.2\n"})
-        EXPECT_THAT(obj, HasSubstr(group));
+    const auto obj_of = [](const std::vector<std::string_view>& names, std::string_view end) {
+        std::string text;
+        for (const std::string_view name : names)
+            text += fmt::format(
+                "solid {0}{1}facet normal 0 0 1{1}outer loop{1}vertex 0 0 0{1}vertex 1 0 0{1}vertex 0 1 "
+                "{2}{1}endloop{1}endfacet{1}endsolid {0}{1}",
+                name, end, text.size());
+        return read_stl("a.stl", text).as_obj();
+    };
+    for (const std::string_view end : {"\n", " "}) {
+        const std::string obj = obj_of({"", "wall", "wall", "", "wall.2"}, end);
+        for (const std::string_view group : {"g mesh\n", "g wall\n", "g wall.2\n", "g mesh.2\n", "g wall.2.2\n"})
+            EXPECT_THAT(obj, HasSubstr(group));
+    }
+    EXPECT_THAT(obj_of({"occluder", "occluder"}, "\n"), Not(HasSubstr("occluder.2")));
 }
 
 std::string gltf_fault(std::string_view json) {
@@ -214,25 +221,28 @@ TEST(GltfFiles, AreRefusedWhereTheLibraryWouldMisreadThem) {
 
 /// A file with these members, beside a mesh of two triangles.
 std::string gltf_with(std::string_view nodes, std::string_view accessors, std::string_view indices = "1") {
-    return fmt::format(R"({{"nodes": [{}], "accessors": [{}], "bufferViews": [{{"buffer": 0}}], "buffers": [{{}}],
+    return fmt::format(
+        R"({{"scenes": [{{"nodes": [0]}}], "nodes": [{}], "accessors": [{}], "bufferViews": [{{"buffer": 0}}], "buffers": [{{}}],
                            "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "indices": {}}}]}}]}})",
-                       nodes, accessors, indices);
+        nodes, accessors, indices);
 }
 
 TEST(GltfFiles, AreRefusedWhereItemsDoNotExistOrCornersAreMissing) {
     const std::string sound = R"({"type": "VEC3", "count": 4}, {"type": "SCALAR", "count": 6})";
     const auto with = [&](std::string_view old, std::string_view changed) { return with_change(sound, old, changed); };
     EXPECT_EQ(expect_plain_gltf("a.gltf", gltf_with(R"({"mesh": 0})", sound)), 2);
+    EXPECT_EQ(expect_plain_gltf("a.gltf", gltf_with(R"({}, {"mesh": 0})", sound)), 0) << "the scene has no mesh";
     const std::vector<std::pair<std::string, std::string>> faults{
-        {gltf_with(R"({"mesh": 1})", sound), "a.gltf:1:21: mesh: number 1 of meshes does not exist (there are 1"},
+        {gltf_with(R"({"mesh": 1})", sound), "mesh: number 1 of meshes does not exist (there are 1"},
         {gltf_with(R"({"children": [3]})", sound), "children: number 3 of nodes does not exist"},
         {gltf_with(R"({"matrix": [1, 0, 0]})", sound), "matrix has 3 numbers, and needs 16"},
-        {gltf_with("", sound, "2"), "indices: number 2 of accessors does not exist"},
-        {gltf_with("", sound, "-1"), "indices is no whole number from 0 on"},
-        {gltf_with("", with("VEC3", "VEC2")), "places are of type 'VEC2'"},
-        {gltf_with("", with("6}", "5}")), "its triangles have 5 corners, which is no multiple of 3"},
-        {gltf_with("", with("6}", R"(6, "byteOffset": -4})")), "byteOffset is no whole number from 0 on"},
-        {gltf_with("", with("6}", R"(6, "bufferView": 1})")), "bufferView: number 1 of bufferViews does not exist"},
+        {gltf_with("", sound), "a.gltf:1:24: nodes: number 0 of nodes does not exist (there are 0"},
+        {gltf_with("{}", sound, "2"), "indices: number 2 of accessors does not exist"},
+        {gltf_with("{}", sound, "-1"), "indices is no whole number from 0 on"},
+        {gltf_with("{}", with("VEC3", "VEC2")), "places are of type 'VEC2'"},
+        {gltf_with("{}", with("6}", "5}")), "its triangles have 5 corners, which is no multiple of 3"},
+        {gltf_with("{}", with("6}", R"(6, "byteOffset": -4})")), "byteOffset is no whole number from 0 on"},
+        {gltf_with("{}", with("6}", R"(6, "bufferView": 1})")), "bufferView: number 1 of bufferViews does not exist"},
     };
     for (const auto& [json, message] : faults) EXPECT_THAT(gltf_fault(json), HasSubstr(message));
 }
