@@ -3,6 +3,8 @@
 #include "core/geometry/surface_map.hpp"
 #include "studies/scene_files/identity.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -13,12 +15,14 @@
 
 namespace ff::studies {
 
-/// Keeps one of several identical surfaces of a face. Two that face opposite ways are the sides of a thin plate.
+/// Keeps the first of several identical surfaces, unless nothing else is left of the face of another. Two that face
+/// opposite ways are the sides of a thin plate.
 void SceneBuilder::leave_out_doubles() {
     std::vector<std::pair<std::uint64_t, std::size_t>> prints;
     for (const Surface& surface : scene_.surfaces) prints.emplace_back(fingerprint(surface), prints.size());
     std::sort(prints.begin(), prints.end());
     std::vector<bool> is_double(scene_.surfaces.size());
+    std::vector<std::pair<std::size_t, std::size_t>> of_two_faces;  // the one that is kept, and the other
     for (std::size_t i = 0; i < prints.size(); ++i) {
         const auto [print, second] = prints[i];
         const Surface& surface = scene_.surfaces[second];
@@ -26,13 +30,30 @@ void SceneBuilder::leave_out_doubles() {
             const std::size_t first = prints[k - 1].second;
             const Surface& other = scene_.surfaces[first];
             if (numbers_of(other) != numbers_of(surface) || other.normal.dot(surface.normal) < 0) continue;
-            if (other.face != surface.face)
-                fail(lines_[second], "{} is the same as {} of line {} (rays could end on either). Keep one.",
-                     owner(surface.face), owner(other.face), lines_[first]);
+            if (other.face != surface.face) of_two_faces.emplace_back(first, second);
             is_double[second] = true;
             note(PolygonChange::twice, lines_[second]);
             break;
         }
+    }
+    std::unordered_set<int> kept;  // faces
+    for (std::size_t i = 0; i < is_double.size(); ++i) {
+        if (!is_double[i]) kept.insert(scene_.surfaces[i].face);
+    }
+    for (const auto& [first, second] : of_two_faces) {
+        const int face = scene_.surfaces[second].face;
+        const int other = scene_.surfaces[first].face;
+        if (other == no_face || face == no_face || !kept.contains(face))
+            fail(lines_[second], "{} is the same as {} of line {} (rays could end on either). Keep one.", owner(face),
+                 owner(other), lines_[first]);
+    }
+    if (!of_two_faces.empty()) {
+        const auto& [first, second] = of_two_faces.front();
+        const std::size_t count = of_two_faces.size();
+        remark("{} of two faces and {} counted for the first alone ({}'{}' rather than '{}')",
+               count == 1 ? "a polygon is" : fmt::format("{} polygons are", count), count == 1 ? "is" : "are",
+               count == 1 ? "" : "such as ", name_of(scene_.surfaces[first].face),
+               name_of(scene_.surfaces[second].face));
     }
     leave_out(is_double);
 }

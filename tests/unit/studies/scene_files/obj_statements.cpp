@@ -55,6 +55,18 @@ TEST(ObjStatements, MayHavePolygonsOfTwoCorners) {
     EXPECT_THAT(refusal_of(unit_square + "f\n"), HasSubstr("a.obj:5: a polygon needs three corners or more"));
 }
 
+TEST(ObjStatements, MayRepeatAPolygonInAnotherGroup) {
+    const std::string both = unit_square + "g a\nf 1 2 3 4\ng b\nf 1 2 3 4\n";
+    const Scene scene = read_statements(both + "v 0 0 1\nf 1 2 5\n");
+    EXPECT_THAT(scene.faces, ElementsAre("a", "b"));
+    EXPECT_EQ(face_area(scene, 0), 1);
+    EXPECT_EQ(face_area(scene, 1), 0.5);
+    EXPECT_THAT(scene.remarks,
+                ElementsAre("a polygon is of two faces and is counted for the first alone ('a' rather than 'b')",
+                            "a polygon is a copy of another and is left out (line 8)"));
+    EXPECT_THAT(refusal_of(both), HasSubstr("a.obj:8: a surface of face 'b' is the same as a surface of face 'a'"));
+}
+
 TEST(ObjStatements, MayBeFoForPolygons) {
     EXPECT_EQ(read_statements(unit_square + "fo 1 2 3 4\n").surfaces.size(), 1);
 }
