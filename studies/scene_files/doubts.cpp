@@ -100,17 +100,15 @@ void add_remarks(const Scene& scene, SceneDoubts& doubts) {
 /// Edges that two polygons run through in the same direction, so that they do not bound a body.
 void add_winding(const Scene& scene, SceneDoubts& doubts) {
     const Winding winding = find_winding(scene);
-    if (!winding.turned.empty())
+    std::set<int> faces(winding.undecided.begin(), winding.undecided.end());
+    for (const std::size_t surface : winding.turned) faces.insert(scene.surfaces[surface].face);
+    for (const int face : faces)
         add(doubts.faults, scene,
-            "surfaces of face '{}' meet in an edge and face opposite ways (what the turned one sends is lost). Set "
-            "flip "
-            "of one of them, reverse the order of its corners, or make them two faces.",
-            name_of_face(scene, scene.surfaces[winding.turned.front()].face));
-    for (const int face : winding.undecided)
-        add(doubts.faults, scene,
-            "polygons of face '{}' are wound in opposite directions, as many one way as the other (half of what it "
-            "sends is lost). Write the corners of each counter-clockwise as seen from the side that radiates.",
-            name_of_face(scene, face));
+            "surfaces of face '{}' meet in an edge and face opposite ways (what the turned ones send is lost). {}",
+            name_of_face(scene, face),
+            has_extension(scene.name, ".toml")
+                ? "Turn some of them round (flip, or facing of a curved surface), or make them two faces."
+                : "Write the corners of each counter-clockwise as seen from the side that radiates.");
     if (scene.closed) return;  // rays tell more
     const auto pairs = faces_wound_differently(scene);
     if (pairs.empty()) return;

@@ -11,7 +11,9 @@
 #include <cstdint>
 #include <limits>
 #include <set>
+#include <tuple>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace ff::studies {
@@ -21,12 +23,47 @@ using Eigen::Vector3d;
 
 /// A surface that an edge belongs to.
 struct Side {
-    std::uint32_t low = 0, high = 0;  ///< numbers of the edge's ends
+    std::uint32_t low = 0, high = 0;  ///< numbers of the edge's ends; of a circle's centre and its `Rim::tip`
     int face = 0;
     std::uint32_t surface = 0;
     bool forwards = false;   ///< it runs through the edge from `low` to `high`, counter-clockwise around its normal
     std::uint32_t edge = 0;  ///< number of the edge in the surface's outline
+    bool round = false;
 };
+
+/// A circle that bounds a round surface.
+struct Rim {
+    Vector3d centre;
+    double radius = 0;
+    Vector3d axis;  ///< of any length; the surface runs through the circle counter-clockwise around it
+
+    /// Whether the axis points to that half of all directions which names circles.
+    bool forwards() const { return axis.dot(Vector3d(0.6180, 0.3249, 0.7159)) > 0; }
+
+    /// A place that, with the centre, tells the circle from others.
+    Vector3d tip() const { return centre + (forwards() ? radius : -radius) * axis.normalized(); }
+};
+
+std::vector<Rim> rims_of(const Surface& surface) {
+    std::vector<Rim> rims;
+    if (const auto* disc = std::get_if<Disc>(&surface.shape)) {
+        rims = {{disc->centre, disc->outer_radius, surface.normal},
+                {disc->centre, disc->inner_radius, -surface.normal}};
+    } else if (const auto* wall = std::get_if<Frustum>(&surface.shape)) {
+        rims = {{wall->base, wall->base_radius, wall->axis}, {wall->base + wall->axis, wall->top_radius, -wall->axis}};
+    } else if (const auto* zone = std::get_if<SphereZone>(&surface.shape)) {
+        const auto rim_at = [&](double height, const Vector3d& axis) {
+            return Rim{zone->centre + height * zone->radius * zone->axis,
+                       zone->radius * std::sqrt(std::max(0.0, 1 - height * height)), axis};
+        };
+        rims = {rim_at(zone->low, zone->axis), rim_at(zone->high, -zone->axis)};
+    }
+    std::erase_if(rims, [](const Rim& rim) { return rim.radius == 0; });
+    if (!is_flat(surface.shape) && facing(surface.shape) == Facing::inward) {
+        for (Rim& rim : rims) rim.axis = -rim.axis;
+    }
+    return rims;
+}
 
 std::vector<Side> sides_of(const Scene& scene) {
     PlaceNumbers number(resolution_of_places *
@@ -42,6 +79,8 @@ std::vector<Side> sides_of(const Scene& scene) {
             const auto [low, high] = std::minmax(numbers[k], next_corner(numbers, k));
             sides.push_back({low, high, surface.face, s, numbers[k] == low, static_cast<std::uint32_t>(k)});
         }
+        for (const Rim& rim : rims_of(surface))
+            sides.push_back({number(rim.centre), number(rim.tip()), surface.face, s, rim.forwards(), 0, true});
     }
     return sides;
 }
@@ -54,7 +93,7 @@ using Edges = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 template <class Use>
 Edges for_each_common_edge(std::vector<Side>& sides, const Use& use) {
     Edges free;
-    const auto key = [](const Side& side) { return std::pair(side.low, side.high); };
+    const auto key = [](const Side& side) { return std::tuple(side.round, side.low, side.high); };
     std::sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) {
         return std::pair(key(a), a.surface) < std::pair(key(b), b.surface);
     });

@@ -100,7 +100,7 @@ TEST(WindingBesideEdges, IsThatOfTheMajority) {
         EXPECT_THAT(read_statements(strip(gap, false, false)).remarks, IsEmpty()) << gap;
     }
     EXPECT_THAT(examine_scene(read_statements(strip("1", true, true))).faults,
-                ElementsAre(HasSubstr("wound in opposite directions")))
+                ElementsAre(HasSubstr("face opposite ways")))
         << "half of the area";
 }
 

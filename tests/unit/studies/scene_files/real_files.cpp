@@ -230,7 +230,7 @@ TEST(Winding, IsDecidedByVisibilityWhereHalvesAreEqual) {
     EXPECT_THAT(scene.remarks, ElementsAre(HasSubstr("(line 13)")));
     const Scene alone = read_cube("g upper\nf 5 7 6\nf 5 7 8\n");
     EXPECT_THAT(alone.remarks, IsEmpty());
-    EXPECT_THAT(examine_scene(alone).faults, ElementsAre(HasSubstr("face 'upper' are wound in opposite directions")));
+    EXPECT_THAT(examine_scene(alone).faults, ElementsAre(HasSubstr("face 'upper' meet in an edge")));
 }
 
 TEST(Winding, IsLeftAloneOnBodiesAndThinPlates) {
