@@ -134,8 +134,8 @@ void expect_moose(const Scene& scene) {
             scene.name);
     if (!scene.closed)
         throw UserError(
-            "--format moose: scene '{}' is open (rows have to add up to 1 there). Close it by a "
-            "face that stands for its surroundings.",
+            "--format moose: scene '{}' is open (rows have to add up to 1 there). Add "
+            "--surroundings NAME, a face that receives the rest.",
             scene.name);
     for (const std::string& face : scene.faces) {
         if (face.find_first_of(" '\"#=[]{};$") != std::string::npos)

@@ -97,7 +97,7 @@ std::vector<std::optional<std::size_t>> find_columns(const CsvReader& reader, co
         const std::string_view text = trimmed(header[i].text);
         const auto known = std::find(names.begin(), names.end(), in_small_letters(text));
         if (known == names.end()) {
-            if (others == OtherColumns::left_out) continue;
+            if (others == OtherColumns::left_out && header.size() > 1) continue;
             reader.fail(header[i], fmt::format("column '{}' is unknown. {}The columns are {}, between commas.",
                                                excerpt(text), did_you_mean(text, names), fmt::join(names, ", ")));
         }

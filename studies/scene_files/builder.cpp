@@ -59,13 +59,19 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 6> words_of_
 
 int SceneBuilder::face(const std::string& label, std::uint64_t line) {
     if (const auto known = faces_.find(label); known != faces_.end()) return known->second;
-    if (const auto problem = problem_with_name(label); !problem.empty()) {
+    std::string allowed = label;
+    std::replace(allowed.begin(), allowed.end(), '|', '_');
+    if (allowed != label) names_with_bars_.push_back(fmt::format("'{}'", excerpt(label)));
+    if (const auto problem = problem_with_name(allowed); !problem.empty()) {
         constexpr std::string_view before_formulas = "=@+-";
-        const std::string other = "_" + label;
-        if (before_formulas.find(label.front()) == std::string_view::npos || !problem_with_name(other).empty())
+        if (before_formulas.find(allowed.front()) == std::string_view::npos ||
+            !problem_with_name("_" + allowed).empty())
             fail(line, "face '{}' {}", excerpt(label), problem);
         formulas_.push_back(fmt::format("'{}'", label));
-        scene_.faces.push_back(reserve_name(other, false));
+        allowed = "_" + allowed;
+    }
+    if (allowed != label) {
+        scene_.faces.push_back(reserve_name(allowed, false));
         return faces_[label] = static_cast<int>(scene_.faces.size()) - 1;
     }
     const bool is_of_sums = std::find(labels_of_sums.begin(), labels_of_sums.end(), label) != labels_of_sums.end();
@@ -155,14 +161,13 @@ bool SceneBuilder::has_area(const std::vector<Vector3d>& corners, std::uint64_t 
 }
 
 void SceneBuilder::add_polygon(const std::vector<Vector3d>& outline, int face, std::uint64_t line) {
+    if (size_from_first(outline) > largest_length)
+        fail(line, "{} reaches beyond {:g}. Use another unit of length.", owner(face), largest_length);
     const std::vector<Vector3d> corners = without_spikes(outline);
     if (corners.size() < outline.size()) note(PolygonChange::spiked, line);
     const std::size_t n = corners.size();
     const double size = size_from_first(corners);
     for (const Vector3d& corner : outline) note(corner);
-    if (size > largest_length) {
-        fail(line, "{} reaches beyond {:g}. Use another unit of length.", owner(face), largest_length);
-    }
     const Vector3d normal = twice_area(corners).normalized();
     bool is_convex = true;  // but for corners that are meant to lie in a line with their neighbours
     bool is_strictly_convex = true;
@@ -201,7 +206,7 @@ void SceneBuilder::add_polygon(const std::vector<Vector3d>& outline, int face, s
     }
 }
 
-void SceneBuilder::cut_out_covered_parts(std::vector<FaceMaterial>* materials) {
+void SceneBuilder::cut_out_covered_parts() {
     const StandingBodies standing = standing_bodies(scene_, level_gap(scene_));
     if (!standing.any()) return;
     const auto faces = scene_.faces.size();
@@ -215,15 +220,24 @@ void SceneBuilder::cut_out_covered_parts(std::vector<FaceMaterial>* materials) {
             for (const ConvexPolygon& polygon : *standing.left[i]) add_polygon(polygon, surfaces[i].face, lines_[i]);
         }
     }
-    std::vector<int> number(faces, no_face);
-    std::vector<std::string> kept;
-    std::vector<FaceMaterial> kept_materials;
     for (std::size_t face = 0; face < faces; ++face) {
         const double after = face_area(scene_, static_cast<int>(face));
         constexpr double rounding = 1e-12;
         if (before[face] - after > rounding * before[face])
             scene_.covered.push_back({scene_.faces[face], before[face] - after, before[face]});
-        if (after == 0) continue;
+    }
+}
+
+void SceneBuilder::leave_out_empty_faces(std::vector<FaceMaterial>* materials) {
+    std::vector<bool> has_surfaces(scene_.faces.size());
+    for (const Surface& surface : scene_.surfaces) {
+        if (surface.face >= 0) has_surfaces[static_cast<std::size_t>(surface.face)] = true;
+    }
+    std::vector<int> number(scene_.faces.size(), no_face);
+    std::vector<std::string> kept;
+    std::vector<FaceMaterial> kept_materials;
+    for (std::size_t face = 0; face < scene_.faces.size(); ++face) {
+        if (!has_surfaces[face]) continue;
         number[face] = static_cast<int>(kept.size());
         kept.push_back(scene_.faces[face]);
         if (materials != nullptr && face < materials->size()) kept_materials.push_back((*materials)[face]);
@@ -256,6 +270,18 @@ void SceneBuilder::remark_on_changes() {
     }
 }
 
+/// Remarks on names that were changed, with the first of each kind.
+void SceneBuilder::remark_on_names() {
+    constexpr std::size_t most_named = 3;
+    if (!names_with_bars_.empty())
+        remark("{} written with _ for | here, which would break tables",
+               first_names(names_with_bars_, most_named) + (names_with_bars_.size() == 1 ? " is" : " are"));
+    if (!formulas_.empty())
+        remark("{} with _ here, since spreadsheets would take {} for {}",
+               first_names(formulas_, most_named) + (formulas_.size() == 1 ? " begins" : " begin"),
+               formulas_.size() == 1 ? "the name" : "the names", formulas_.size() == 1 ? "a formula" : "formulas");
+}
+
 Scene SceneBuilder::finish(bool closed, std::vector<FaceMaterial>* materials) {
     if (scene_.faces.empty()) throw UserError("{}: no face (nothing would be computed). Add one.", name_);
     std::vector<std::size_t> surfaces_of(scene_.faces.size());
@@ -278,15 +304,11 @@ Scene SceneBuilder::finish(bool closed, std::vector<FaceMaterial>* materials) {
         note(PolygonChange::turned, lines_[surface]);
     }
     remark_on_changes();
-    if (!formulas_.empty()) {
-        constexpr std::size_t most_named = 3;
-        remark("{} with _ here, since spreadsheets would take {} for {}",
-               first_names(formulas_, most_named) + (formulas_.size() == 1 ? " begins" : " begin"),
-               formulas_.size() == 1 ? "the name" : "the names", formulas_.size() == 1 ? "a formula" : "formulas");
-    }
+    remark_on_names();
     scene_.name = name_;
     scene_.closed = closed;
-    cut_out_covered_parts(materials);
+    cut_out_covered_parts();
+    leave_out_empty_faces(materials);
     if (scene_.faces.empty())
         throw UserError(
             "{}: faces cover each other wholly (nothing would be computed). Remove those that are not meant.", name_);

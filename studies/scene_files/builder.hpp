@@ -40,8 +40,13 @@ class SceneBuilder {
     /// A new face, whose name gets a number where the name is already used.
     int new_face(const std::string& label, std::uint64_t line);
 
+    /// Faces are polygons: those that are the same as others are left out.
+    void let_polygons_be_faces() { has_named_faces_ = false; }
+
     /// Reserves a name that nothing else has: this one, or this one with a number appended.
     std::string reserve_name(const std::string& label, bool numbered = false);
+    /// Whether there is a face of that name in the file.
+    [[nodiscard]] bool has_face(const std::string& label) const { return faces_.contains(label); }
     [[nodiscard]] const std::string& name_of(int face) const { return scene_.faces[static_cast<std::size_t>(face)]; }
 
     /// @throws UserError where the surface has no area, a number is not finite or too large
@@ -85,16 +90,20 @@ class SceneBuilder {
         changes_.at(static_cast<std::size_t>(change)).push_back(line);
     }
     void remark_on_changes();
+    void remark_on_names();
     void leave_out_doubles();
     void leave_out_slivers();
     void leave_out(const std::vector<bool>& is_left_out);
     void note(const Eigen::Vector3d& place);
     void append(Surface surface, std::uint64_t line);
-    void cut_out_covered_parts(std::vector<FaceMaterial>* materials);
+    void cut_out_covered_parts();
+    void leave_out_empty_faces(std::vector<FaceMaterial>* materials);
 
+    std::vector<std::string> names_with_bars_;  ///< names of faces with |, in quotes
     std::vector<std::string> formulas_;  ///< names of faces, in quotes, that spreadsheets would take for formulas
     std::string name_;
     bool has_lines_;
+    bool has_named_faces_ = true;  ///< faces are not merely polygons with a number
     Scene scene_;
     std::unordered_map<std::string, int> faces_;         ///< faces by their names in the file
     std::unordered_set<std::string> names_;              ///< names that faces and masks have in the scene

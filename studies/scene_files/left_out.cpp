@@ -43,11 +43,11 @@ void SceneBuilder::leave_out_doubles() {
     for (const auto& [first, second] : of_two_faces) {
         const int face = scene_.surfaces[second].face;
         const int other = scene_.surfaces[first].face;
-        if (other == no_face || face == no_face || !kept.contains(face))
+        if (other == no_face || face == no_face || (has_named_faces_ && !kept.contains(face)))
             fail(lines_[second], "{} is the same as {} of line {} (rays could end on either). Keep one.", owner(face),
                  owner(other), lines_[first]);
     }
-    if (!of_two_faces.empty()) {
+    if (!of_two_faces.empty() && has_named_faces_) {
         const auto& [first, second] = of_two_faces.front();
         const std::size_t count = of_two_faces.size();
         remark("{} of two faces and {} counted for the first alone ({}'{}' rather than '{}')",

@@ -8,6 +8,7 @@
 #include "core/support/excerpt.hpp"
 #include "core/support/nearest_name.hpp"
 #include "core/support/words.hpp"
+#include "studies/readers/printable.hpp"
 #include "studies/scene_files/scene_with_materials.hpp"
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -107,7 +109,9 @@ class ObjReader {
     SceneWithMaterials finish() {
         remark_on_unknown();
         choose_faces();
+        if (faces_ == "polygon") builder_.let_polygons_be_faces();
         for (const Polygon& polygon : polygons_) add(polygon);
+        remark_on_lost_faces();
         if (scale_ != 1) builder_.remark("its lengths are multiplied by {}", scale_);
         if (up_ != up_in_scenes) builder_.remark("its {} axis, which points up, becomes the z axis", up_);
         Scene scene = placed(builder_.finish(closed_, &materials_), {Eigen::Vector3d::Zero(), 1 / scale_});
@@ -130,6 +134,7 @@ class ObjReader {
     char up_ = up_in_scenes;
     std::unordered_map<std::size_t, std::size_t> polygons_of_;  ///< number of polygons so far, by name
     std::vector<FaceMaterial> materials_;
+    std::vector<std::string> without_area_;  ///< names of the faces of polygons that have none
 
     static std::string rest(const Words& words) {
         return fmt::format("{}", fmt::join(words.begin() + 1, words.end(), " "));
@@ -205,6 +210,19 @@ class ObjReader {
                         unknown_.size() == 1 ? "is" : "are", excerpt(keyword), line);
     }
 
+    void remark_on_lost_faces() {
+        constexpr std::size_t most_named = 3;
+        std::vector<std::string> lost;
+        for (const std::string& label : without_area_) {
+            std::string name = fmt::format("'{}'", excerpt(label));
+            if (!builder_.has_face(label) && std::find(lost.begin(), lost.end(), name) == lost.end())
+                lost.push_back(std::move(name));
+        }
+        if (lost.empty()) return;
+        builder_.remark("{} {} left out, since no polygon with an area is left of {}", first_names(lost, most_named),
+                        lost.size() == 1 ? "is" : "are", lost.size() == 1 ? "it" : "them");
+    }
+
     [[nodiscard]] bool is_occluder(const Polygon& polygon) const {
         return names_[polygon.owners.group] == occluder_group || names_[polygon.owners.object] == occluder_group;
     }
@@ -227,7 +245,11 @@ class ObjReader {
         const std::size_t objects = count(&Owners::object);
         const std::size_t materials = count(&Owners::material);
         if (groups > 1) {
-            if (materials > groups)
+            std::set<std::pair<std::size_t, std::size_t>> kinds;
+            for (const Polygon& polygon : polygons_) {
+                if (!is_occluder(polygon)) kinds.emplace(polygon.owners.group, polygon.owners.material);
+            }
+            if (kinds.size() > groups)
                 builder_.remark("its faces are its {} groups or objects (with --faces material its {} materials)",
                                 groups, materials);
         } else if (std::max(objects, materials) > 1) {
@@ -262,7 +284,10 @@ class ObjReader {
                               corners.size() + 1, polygon.written(vertex), vertices_.size());
             corners.push_back(upright(vertices_[static_cast<std::size_t>(vertex)]));
         }
-        if (!builder_.has_area(corners, polygon.line)) return;
+        if (!builder_.has_area(corners, polygon.line)) {
+            if (!is_occluder(polygon) && faces_ != "polygon") without_area_.push_back(label_of(polygon));
+            return;
+        }
         int face = no_face;
         if (!is_occluder(polygon)) {
             face = builder_.face(label_of(polygon), polygon.line);

@@ -141,7 +141,7 @@ Surface read_surface(const TomlReader& reader) {
 }  // namespace
 
 SceneWithMaterials read_toml_scene(std::string_view name, std::string_view text) {
-    const toml::table root = parse_toml(text, name);
+    const toml::table root = parse_toml(text, name, "docs/scenes.md");
     const TomlReader file(root, name);
     file.expect_only({"closed", "surface"});
     SceneBuilder builder(name);

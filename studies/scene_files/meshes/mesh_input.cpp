@@ -118,6 +118,8 @@ template <class Number>
 Number MeshInput::number_in_text(std::string_view problem) {
     skip_blanks();
     const std::string_view text = next_word();
+    if (text.starts_with('$'))
+        fail("{} comes before all that is announced. Correct the number, or write the file again.", excerpt(text));
     const auto value = parse_number<Number>(text);
     if (!value && !text.empty()) fail("'{}' {}", excerpt(text), problem);
     static_cast<void>(word());

@@ -123,45 +123,6 @@ TEST(CornersOnEdges, OpenNoHoleWhereTheyBendANeighbour) {
     EXPECT_TRUE(form_factors::is_trusted(scene, form_factors::find_matrix(scene, request), request.tolerance));
 }
 
-TEST(Winding, IsAFaultWhereSurfacesOfATomlFaceDisagree) {
-    constexpr std::string_view half = "[[surface]]\nface = '{}'\nshape = 'triangle'\na = [0, 0, {}]\nb = {}\nc = {}\n";
-    const auto scene_of = [&](std::string_view second, std::string_view third) {
-        return make_scene(
-            source_of_file("a.toml", fmt::format(fmt::runtime(half), "floor", 0, "[1, 0, 0]", "[1, 1, 0]") +
-                                         fmt::format(fmt::runtime(half), "floor", 0, second, third) +
-                                         fmt::format(fmt::runtime(half), "roof", 1, "[0, 1, 1]", "[1, 1, 1]")));
-    };
-    EXPECT_THAT(examine_scene(scene_of("[1, 1, 0]", "[0, 1, 0]")).faults, IsEmpty());
-    EXPECT_THAT(examine_scene(scene_of("[0, 1, 0]", "[1, 1, 0]")).faults,
-                ElementsAre(HasSubstr("surfaces of face 'floor' meet in an edge and face opposite ways")));
-}
-
-TEST(Winding, IsAFaultWhereRoundSurfacesOfATomlFaceDisagree) {
-    constexpr std::string_view tank =
-        "[[surface]]\nface = 'tank'\nshape = 'cylinder'\nbase = [0, 0, 0]\naxis = [0, 0, 2]\nradius = 1\n"
-        "facing = 'inward'\n[[surface]]\nface = '{}'\nshape = 'disc'\ncentre = [0, 0, 2]\nnormal = [0, 0, {}]\n"
-        "radius = 1\n";
-    constexpr std::string_view ball =
-        "[[surface]]\nface = 'ball'\nshape = 'sphere'\ncentre = [0, 0, 0]\nradius = 1\naxis = [0, 0, 1]\n"
-        "low = 0\nfacing = 'outward'\n[[surface]]\nface = 'ball'\nshape = 'sphere'\ncentre = [0, 0, 0]\nradius = 1\n"
-        "axis = [0, 0, {}]\n{} = 0\nfacing = '{}'\n";
-    const auto doubts_of = [](const std::string& text) {
-        return examine_scene(make_scene(source_of_file("a.toml", text)));
-    };
-    const auto disagree = [](std::string_view face) {
-        return ElementsAre(
-            HasSubstr(fmt::format("surfaces of face '{}' meet in an edge and face opposite ways", face)));
-    };
-    EXPECT_THAT(doubts_of(fmt::format(tank, "tank", -1)).faults, IsEmpty());
-    EXPECT_THAT(doubts_of(fmt::format(tank, "tank", 1)).faults, disagree("tank"));
-    EXPECT_THAT(doubts_of(fmt::format(tank, "lid", 1)).notes,
-                Contains(HasSubstr("faces 'tank' and 'lid' run through a common edge in the same direction")));
-    EXPECT_THAT(doubts_of(fmt::format(ball, 1, "high", "outward")).faults, IsEmpty());
-    EXPECT_THAT(doubts_of(fmt::format(ball, -1, "low", "outward")).faults, IsEmpty());
-    EXPECT_THAT(doubts_of(fmt::format(ball, 1, "high", "inward")).faults, disagree("ball"));
-    EXPECT_THAT(doubts_of(fmt::format(ball, -1, "low", "inward")).faults, disagree("ball"));
-}
-
 /// A room of 60 x 40 x 10 whose roof is too narrow by a gap along one wall.
 std::string room_with_gap(double gap) {
     return fmt::format(

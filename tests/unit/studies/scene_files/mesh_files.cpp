@@ -161,7 +161,7 @@ TEST(BrokenMeshFiles, AreRefusedWithTheReason) {
         {"room.vtu", "vtkZLib", "vtkZLib", "vtkLZ4", "compressor 'vtkLZ4DataCompressor'"},
         {"room.vtu", "binary", "=\"3\" format=\"binary\">\n  ", "=\"3\" format=\"binary\">\n  ////",
          "array 'Points': 3238002687 bytes are announced"},
-        {"room.msh", "\n2.2 0", "$Nodes\n8", "$Nodes\n9", "room.msh:13: $Nodes: '$EndNodes' is not a whole number"},
+        {"room.msh", "\n2.2 0", "$Nodes\n8", "$Nodes\n9", "room.msh:13: $Nodes: $EndNodes comes before all that"},
         {"room.msh", "\n2.2 0", "$Nodes\n8", "$Nodes\n7", "$Nodes: '17' stands where $EndNodes is expected"},
         {"room.msh", "\n2.2 0", "2 3 2 1 1 10", "2 3 2 1 1 99", "element 2 has node 99, which is not in $Nodes"},
         {"room.msh", "\n2.2 0", "2 3 2 1 1 10", "2 140 2 1 1 10", "elements of type 140 are not known"},

@@ -55,6 +55,31 @@ TEST(ObjStatements, MayHavePolygonsOfTwoCorners) {
     EXPECT_THAT(refusal_of(unit_square + "f\n"), HasSubstr("a.obj:5: a polygon needs three corners or more"));
 }
 
+TEST(ObjStatements, MayRepeatAPolygonWherePolygonsAreFaces) {
+    const Scene scene = read_statements(unit_square + "# faces polygon\ng a\nf 1 2 3 4\nf 1 2 3 4\nf 4 3 2 1\n");
+    EXPECT_THAT(scene.faces, ElementsAre("a.1", "a.3"));
+    EXPECT_THAT(scene.remarks, ElementsAre("a polygon is a copy of another and is left out (line 8)"));
+}
+
+TEST(ObjStatements, NameFacesThatAreLost) {
+    EXPECT_THAT(read_statements(unit_square + "v 2 0 0\ng a\nf 1 2 3 4\ng b\nf 1 2 5\n").remarks,
+                ElementsAre("'b' is left out, since no polygon with an area is left of it",
+                            "a polygon has no area and is left out (line 9)"));
+}
+
+TEST(ObjStatements, MayHaveNamesWithBars) {
+    const Scene scene = read_statements(unit_square + "g a|b\nf 1 2 3 4\ng a_b\nf 4 3 2 1\n");
+    EXPECT_THAT(scene.faces, ElementsAre("a_b", "a_b.2"));
+    EXPECT_THAT(scene.remarks, ElementsAre("'a|b' is written with _ for | here, which would break tables"));
+}
+
+TEST(ObjStatements, MayGiveAGroupSeveralMaterials) {
+    const std::string two = unit_square + "g a\nusemtl x\nf 1 2 3 4\ng b\nusemtl x\nf 4 3 2 1\n";
+    EXPECT_THAT(read_statements(two).remarks, IsEmpty());
+    EXPECT_THAT(read_statements(two + "v 0 0 1\nusemtl y\nf 1 2 5\n").remarks,
+                ElementsAre("its faces are its 2 groups or objects (with --faces material its 2 materials)"));
+}
+
 TEST(ObjStatements, MayRepeatAPolygonInAnotherGroup) {
     const std::string both = unit_square + "g a\nf 1 2 3 4\ng b\nf 1 2 3 4\n";
     const Scene scene = read_statements(both + "v 0 0 1\nf 1 2 5\n");

@@ -217,7 +217,7 @@ TEST(SceneFiles, AreRefusedByFileAndLine) {
         {"a.obj", obj + "f\n", "a.obj:7: ", "three corners"},
         {"a.obj", obj + "g a\nf 1 2 3\ng b\nf 3 1 2\n", "a.obj:10: ", "the same as a surface of face 'a' of line 8"},
         {"a.obj", obj, "a.obj: ", "no face"},
-        {"a.obj", obj + "g b\nf 1 2 4\ng a|b\nf 1 2 3\n", "a.obj:10: ", "would break tables"},
+        {"a.obj", obj + "g b\nf 1 2 4\ng a\u202eb\nf 1 2 3\n", "a.obj:10: ", "would break tables"},
         {"a.vs3", vs3 + "S 1 1 2 3 0 0 0 0.9 a\x01\n", "a.vs3:5: ", "would break tables"},
         {"a.toml", "[[surface]]\nface = \"a\\nb\"\n" + shape, "a.toml:1:", "would break tables"},
         {"a.obj", obj + "v 1e200 0 0\ng a\nf 1 2 7\n", "a.obj:9: ", "reaches beyond"},
