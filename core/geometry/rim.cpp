@@ -35,7 +35,8 @@ std::vector<Vector3d> corners_between(const std::vector<LidPlane>& planes, std::
 }  // namespace
 
 std::vector<ConvexPolygon> closing_polygons(const ConvexPolygon& rim, const std::vector<LidPlane>& planes, double gap) {
-    if (rim.empty()) return {};
+    const std::size_t n = rim.size();
+    if (n == 0) return {};
     const auto lies_in = [&](std::size_t plane, const Vector3d& place) {
         return planes[plane].absDistance(place) <= gap;
     };
@@ -49,7 +50,6 @@ std::vector<ConvexPolygon> closing_polygons(const ConvexPolygon& rim, const std:
     for (std::size_t here = 0; here < planes.size(); ++here) {
         ConvexPolygon& lid = all.emplace_back();
         // Begins where the rim comes back into the plane, so that each way out of it is followed by one back.
-        const std::size_t n = rim.size();
         std::size_t begin = 0;
         while (begin < n && !(lies_in(here, rim[begin]) && !lies_in(here, rim[(begin + n - 1) % n]))) ++begin;
         std::size_t left_along = here;

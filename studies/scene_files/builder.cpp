@@ -46,7 +46,8 @@ double size_from_first(const std::vector<Vector3d>& corners) {
 /// The messages for one polygon, and for several.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> words_of_changes{{
     {"has no area and is left out", "have no area and are left out"},
-    {"is a copy of another and is left out", "are copies of others and are left out"},
+    {"is a copy of another, not the other side of a sheet, and is left out",
+     "are copies of others, not the other sides of sheets, and are left out"},
     {"is not plane and is divided into triangles", "are not plane and are divided into triangles"},
     {"is not convex and is divided into triangles", "are not convex and are divided into triangles"},
     {"is wound in the opposite direction to the rest of its face and is turned round",

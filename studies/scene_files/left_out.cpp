@@ -28,6 +28,7 @@ void SceneBuilder::leave_out_doubles() {
         const Surface& surface = scene_.surfaces[second];
         for (std::size_t k = i; k > 0 && prints[k - 1].first == print; --k) {
             const std::size_t first = prints[k - 1].second;
+            if (is_double[first]) continue;
             const Surface& other = scene_.surfaces[first];
             if (numbers_of(other) != numbers_of(surface) || other.normal.dot(surface.normal) < 0) continue;
             if (other.face != surface.face) of_two_faces.emplace_back(first, second);
@@ -48,8 +49,11 @@ void SceneBuilder::leave_out_doubles() {
                  owner(other), lines_[first]);
     }
     if (!of_two_faces.empty() && has_named_faces_) {
-        const auto& [first, second] = of_two_faces.front();
-        const std::size_t count = of_two_faces.size();
+        const auto& [first, second] =
+            *std::ranges::min_element(of_two_faces, {}, [](const auto& pair) { return pair.second; });
+        std::unordered_set<std::uint64_t> lines;  // a polygon may have become several triangles
+        for (const auto& pair : of_two_faces) lines.insert(lines_[pair.second]);
+        const std::size_t count = lines.size();
         remark("{} of two faces and {} counted for the first alone ({}'{}' rather than '{}')",
                count == 1 ? "a polygon is" : fmt::format("{} polygons are", count), count == 1 ? "is" : "are",
                count == 1 ? "" : "such as ", name_of(scene_.surfaces[first].face),

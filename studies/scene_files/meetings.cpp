@@ -4,13 +4,16 @@
 #include "core/geometry/convex_polygon.hpp"
 #include "core/geometry/place_numbers.hpp"
 #include "core/geometry/placement.hpp"
+#include "core/geometry/round_ends.hpp"
 #include "core/geometry/scene.hpp"
 #include "core/geometry/surface_map.hpp"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -24,7 +27,6 @@ using Eigen::Vector3d;
 /// A surface that an edge belongs to.
 struct Side {
     std::uint32_t low = 0, high = 0;  ///< numbers of the edge's ends
-    int face = 0;
     std::uint32_t surface = 0;
     bool forwards = false;  ///< it runs through the edge from `low` to `high`, counter-clockwise around its normal
     Vector3d from, to;      ///< ends of the edge, in the order in which the surface runs through it
@@ -43,7 +45,7 @@ std::vector<Side> sides_of(const Scene& scene) {
         for (const Vector3d& corner : corners) numbers.push_back(number(corner));
         for (std::size_t k = 0; k < numbers.size(); ++k) {
             const auto [low, high] = std::minmax(numbers[k], next_corner(numbers, k));
-            sides.push_back({low, high, surface.face, s, numbers[k] == low, corners[k], next_corner(corners, k)});
+            sides.push_back({low, high, s, numbers[k] == low, corners[k], next_corner(corners, k)});
         }
     }
     return sides;
@@ -57,21 +59,71 @@ double slack_of(const Scene& scene, double length) {
     return std::min(std::max(rounded * length, digits), largest * length);
 }
 
-/// Whether surfaces that run through an edge the same way lie over each other, instead of facing opposite ways.
-bool lie_over_each_other(const Scene& scene, const Side& a, const Side& b) {
-    constexpr double parallel = 1 - 1e-6;
-    return scene.surfaces[a.surface].normal.dot(scene.surfaces[b.surface].normal) > parallel;
+/// The same for the edge of a surface: far less than the surface is wide there, so that no two of its edges are one.
+double slack_of(const Scene& scene, const Side& side) {
+    constexpr double narrow = 0.1;
+    const double length = (side.to - side.from).norm();
+    return std::min(slack_of(scene, length), narrow * area(scene.surfaces[side.surface].shape) / length);
 }
 
-/// Pairs of surfaces that meet in edges, where nothing else does: where bodies, fins or floors meet, an edge says
-/// nothing of which of them face the same way.
-class CommonEdges {
+/// Finds surfaces that meet where no third one does: where bodies, fins or floors meet, an edge says nothing of which
+/// of them face the same way.
+class MeetingFinder {
   public:
-    explicit CommonEdges(const Scene& scene) : scene_(scene) {}
+    explicit MeetingFinder(const Scene& scene) : scene_(scene) {}
 
-    /// Calls use(Meeting).
-    template <class Use>
-    void for_each(const Use& use) const {
+    std::vector<Meeting> find() && {
+        find_common_edges();
+        find_common_rims();
+        return std::move(meetings_);
+    }
+
+  private:
+    const Scene& scene_;
+    std::optional<BoxTree> surfaces_;  ///< made when it is first needed
+    std::vector<Meeting> meetings_;
+
+    [[nodiscard]] double cosine(std::uint32_t a, std::uint32_t b) const {
+        return scene_.surfaces[a].normal.dot(scene_.surfaces[b].normal);
+    }
+
+    /// Whether surfaces that run through an edge the same way lie over each other, instead of facing opposite ways.
+    [[nodiscard]] bool lie_over_each_other(std::uint32_t a, std::uint32_t b) const {
+        constexpr double parallel = 1 - 1e-6;
+        return cosine(a, b) > parallel;
+    }
+
+    void add(std::uint32_t a, std::uint32_t b, bool same_way) { meetings_.push_back({a, b, same_way}); }
+
+    /// Whether no third surface reaches all of these places.
+    bool is_theirs_alone(std::uint32_t a, std::uint32_t b, const std::array<Vector3d, 3>& places, double slack) {
+        if (!surfaces_) {
+            std::vector<Eigen::AlignedBox3d> boxes;
+            for (const Surface& surface : scene_.surfaces) boxes.push_back(box_around(surface));
+            surfaces_.emplace(std::move(boxes));
+        }
+        return !std::all_of(places.begin(), places.end(), [&](const Vector3d& place) {
+            bool touched = false;
+            surfaces_->within(Eigen::AlignedBox3d(place, place), slack, [&](std::uint32_t other) {
+                touched = touched || (other != a && other != b && is_on(scene_.surfaces[other], place, slack));
+            });
+            return touched;
+        });
+    }
+
+    static bool is_on(const Surface& surface, const Vector3d& place, double slack) {
+        if (is_polygon(surface.shape)) return distance(place, outline(surface), surface.normal) <= slack;
+        const auto* disc = std::get_if<Disc>(&surface.shape);
+        if (disc == nullptr || std::abs(surface.normal.dot(place - disc->centre)) > slack) return false;
+        const double radius = (place - disc->centre).norm();
+        return radius >= disc->inner_radius - slack && radius <= disc->outer_radius + slack;
+    }
+
+    static std::array<Vector3d, 3> places_between(const Vector3d& from, const Vector3d& to) {
+        return {(3 * from + to) / 4, (from + to) / 2, (from + 3 * to) / 4};
+    }
+
+    void find_common_edges() {
         std::vector<Side> sides = sides_of(scene_);
         const auto key = [](const Side& side) { return std::pair(side.low, side.high); };
         std::sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) {
@@ -84,53 +136,32 @@ class CommonEdges {
             if (end - begin != 2) continue;
             const Side& a = sides[begin];
             const Side& b = sides[begin + 1];
+            const double slack = std::min(slack_of(scene_, a), slack_of(scene_, b));
             if (a.forwards != b.forwards)
-                use(Meeting{a.surface, b.surface, false});
-            else if (!lie_over_each_other(scene_, a, b) && is_theirs_alone(a, b, a.from, a.to))
-                use(Meeting{a.surface, b.surface, true});
+                add(a.surface, b.surface, false);
+            else if (!lie_over_each_other(a.surface, b.surface) &&
+                     is_theirs_alone(a.surface, b.surface, places_between(a.from, a.to), slack))
+                add(a.surface, b.surface, true);
         }
-        for_each_that_nearly_meet(free, use);
+        find_near_edges(free);
     }
 
-  private:
-    const Scene& scene_;
-    mutable std::optional<BoxTree> surfaces_;  ///< made when it is first needed
-
-    /// Whether no third surface reaches all along a part of an edge.
-    [[nodiscard]] bool is_theirs_alone(const Side& a, const Side& b, const Vector3d& from, const Vector3d& to) const {
-        if (!surfaces_) {
-            std::vector<Eigen::AlignedBox3d> boxes;
-            for (const Surface& surface : scene_.surfaces) boxes.push_back(box_around(surface));
-            surfaces_.emplace(std::move(boxes));
-        }
-        const double slack = slack_of(scene_, (to - from).norm());
-        const auto is_touched = [&](double share) {
-            const Vector3d place = from + share * (to - from);
-            bool touched = false;
-            surfaces_->within(Eigen::AlignedBox3d(place, place), slack, [&](std::uint32_t other) {
-                const Surface& third = scene_.surfaces[other];
-                if (touched || other == a.surface || other == b.surface || !is_polygon(third.shape)) return;
-                touched = distance(place, outline(third), third.normal) <= slack;
-            });
-            return touched;
-        };
-        return !(is_touched(0.25) && is_touched(0.5) && is_touched(0.75));
-    }
-
-    /// Edges of different lengths, as in T-junctions, or with ends that rounding has moved apart.
-    template <class Use>
-    void for_each_that_nearly_meet(const std::vector<Side>& free, const Use& use) const {
+    /// Edges with ends that rounding has moved apart and, of surfaces in one plane, edges of different lengths. (A body
+    /// may stand on the edge of a surface that it is at an angle with.)
+    void find_near_edges(const std::vector<Side>& free) {
+        constexpr double level = 1 - 1e-4;
         std::vector<Eigen::AlignedBox3d> boxes;
         for (const Side& side : free) boxes.push_back(Eigen::AlignedBox3d(side.from).extend(side.to));
         const BoxTree edges(boxes);
-        for (std::size_t i = 0; i < free.size(); ++i) {
+        for (std::uint32_t i = 0; i < free.size(); ++i) {
             const Side& a = free[i];
             const Vector3d edge = a.to - a.from;
             const double length = edge.norm();
-            edges.within(boxes[i], slack_of(scene_, length), [&](std::uint32_t k) {
+            const double slack_of_first = slack_of(scene_, a);
+            edges.within(boxes[i], slack_of_first, [&](std::uint32_t k) {
                 const Side& b = free[k];
                 if (k <= i || b.surface == a.surface) return;
-                const double slack = slack_of(scene_, std::min(length, (b.to - b.from).norm()));
+                const double slack = std::min(slack_of_first, slack_of(scene_, b));
                 const auto distance_of = [&](const Vector3d& end) {
                     return (end - a.from).cross(edge).norm() / length;
                 };
@@ -139,83 +170,75 @@ class CommonEdges {
                 const double to = (b.to - a.from).dot(edge) / length;
                 const double begin = std::max(std::min(from, to), 0.0);
                 const double end = std::min(std::max(from, to), length);
-                if (end - begin <= 10 * slack || (from < to && lie_over_each_other(scene_, a, b))) return;
-                if (is_theirs_alone(a, b, a.from + begin / length * edge, a.from + end / length * edge))
-                    use(Meeting{a.surface, b.surface, from < to});
+                const bool is_same =
+                    std::abs(std::min(from, to)) <= slack && std::abs(std::max(from, to) - length) <= slack;
+                if (end - begin <= 10 * slack || !(is_same || std::abs(cosine(a.surface, b.surface)) > level)) return;
+                if (from < to && lie_over_each_other(a.surface, b.surface)) return;
+                const auto places = places_between(a.from + begin / length * edge, a.from + end / length * edge);
+                if (is_theirs_alone(a.surface, b.surface, places, slack)) add(a.surface, b.surface, from < to);
             });
         }
     }
-};
 
-/// A circle that bounds a round surface.
-struct Rim {
-    std::uint32_t surface = 0;
-    Vector3d centre;
-    double radius = 0;
-    Vector3d axis;  ///< unit length; the surface runs through the circle counter-clockwise around it
-};
+    /// A circle that bounds a round surface.
+    struct Rim {
+        std::uint32_t surface = 0;
+        Vector3d centre;
+        double radius = 0;
+        Vector3d axis;  ///< unit length; the surface runs through the circle counter-clockwise around it
 
-std::vector<Rim> rims_of(const Scene& scene) {
-    std::vector<Rim> rims;
-    for (std::uint32_t s = 0; s < scene.surfaces.size(); ++s) {
-        const Surface& surface = scene.surfaces[s];
-        if (surface.face < 0) continue;
-        const double side = !is_flat(surface.shape) && facing(surface.shape) == Facing::inward ? -1 : 1;
-        const auto add = [&](const Vector3d& centre, double radius, const Vector3d& axis) {
-            if (radius > 0) rims.push_back({s, centre, radius, side * axis.normalized()});
-        };
-        if (const auto* disc = std::get_if<Disc>(&surface.shape)) {
-            add(disc->centre, disc->outer_radius, surface.normal);
-            add(disc->centre, disc->inner_radius, -surface.normal);
-        } else if (const auto* wall = std::get_if<Frustum>(&surface.shape)) {
-            add(wall->base, wall->base_radius, wall->axis);
-            add(wall->base + wall->axis, wall->top_radius, -wall->axis);
-        } else if (const auto* zone = std::get_if<SphereZone>(&surface.shape)) {
-            for (const double height : {zone->low, zone->high}) {
-                add(zone->centre + height * zone->radius * zone->axis,
-                    zone->radius * std::sqrt(std::max(0.0, 1 - height * height)),
-                    height == zone->low ? zone->axis : Vector3d(-zone->axis));
+        [[nodiscard]] std::array<Vector3d, 3> places() const {
+            const Vector3d u = axis.unitOrthogonal();
+            const Vector3d v = axis.cross(u);
+            return {centre + radius * u, centre + radius * v, centre - radius * (u + v).normalized()};
+        }
+    };
+
+    [[nodiscard]] std::vector<Rim> rims() const {
+        std::vector<Rim> rims;
+        for (std::uint32_t s = 0; s < scene_.surfaces.size(); ++s) {
+            const Surface& surface = scene_.surfaces[s];
+            if (surface.face < 0) continue;
+            if (const auto* disc = std::get_if<Disc>(&surface.shape)) {
+                rims.push_back({s, disc->centre, disc->outer_radius, surface.normal});
+                if (disc->inner_radius > 0) rims.push_back({s, disc->centre, disc->inner_radius, -surface.normal});
             }
+            for (const RoundEnd& end : round_ends(surface.shape))
+                rims.push_back({s, end.centre, end.radius,
+                                facing(surface.shape) == Facing::outward ? end.inwards : Vector3d(-end.inwards)});
+        }
+        return rims;
+    }
+
+    void find_common_rims() {
+        const std::vector<Rim> all = rims();
+        std::vector<Eigen::AlignedBox3d> boxes;
+        for (const Rim& rim : all) boxes.emplace_back(rim.centre, rim.centre);
+        const BoxTree centres(boxes);
+        std::vector<std::uint32_t> same;
+        for (std::uint32_t i = 0; i < all.size(); ++i) {
+            const Rim& rim = all[i];
+            const double slack = slack_of(scene_, rim.radius);
+            same.clear();
+            centres.within(boxes[i], slack, [&](std::uint32_t k) {
+                const bool is_same = std::abs(all[k].radius - rim.radius) <= slack &&
+                                     all[k].axis.cross(rim.axis).norm() * rim.radius <= slack;
+                if (k != i && is_same) same.push_back(k);
+            });
+            if (same.size() != 1 || same.front() < i || all[same.front()].surface == rim.surface) continue;
+            const Rim& other = all[same.front()];
+            const bool same_way = rim.axis.dot(other.axis) > 0;
+            if (same_way && lie_over_each_other(rim.surface, other.surface)) continue;
+            if (is_theirs_alone(rim.surface, other.surface, rim.places(), slack))
+                add(rim.surface, other.surface, same_way);
         }
     }
-    return rims;
-}
-
-/// Calls use(Meeting) for surfaces that have a circle in common, which no third one has.
-template <class Use>
-void for_each_common_rim(const Scene& scene, const Use& use) {
-    const std::vector<Rim> rims = rims_of(scene);
-    std::vector<Eigen::AlignedBox3d> boxes;
-    for (const Rim& rim : rims) boxes.emplace_back(rim.centre, rim.centre);
-    const BoxTree centres(boxes);
-    std::vector<std::uint32_t> same;
-    for (std::uint32_t i = 0; i < rims.size(); ++i) {
-        const Rim& rim = rims[i];
-        const double slack = slack_of(scene, rim.radius);
-        same.clear();
-        centres.within(boxes[i], slack, [&](std::uint32_t k) {
-            const bool is_same = std::abs(rims[k].radius - rim.radius) <= slack &&
-                                 rims[k].axis.cross(rim.axis).norm() * rim.radius <= slack;
-            if (k != i && is_same) same.push_back(k);
-        });
-        if (same.size() != 1 || same.front() < i) continue;
-        const Rim& other = rims[same.front()];
-        const bool same_way = rim.axis.dot(other.axis) > 0;
-        const bool over_each_other =
-            is_flat(scene.surfaces[rim.surface].shape) && is_flat(scene.surfaces[other.surface].shape);
-        if (rim.surface != other.surface && !(same_way && over_each_other))
-            use(Meeting{rim.surface, other.surface, same_way});
-    }
-}
+};
 
 }  // namespace
 
 std::vector<Meeting> find_meetings(const Scene& scene) {
-    std::vector<Meeting> meetings;
-    const auto keep = [&](const Meeting& meeting) { meetings.push_back(meeting); };
-    CommonEdges(scene).for_each(keep);
-    for_each_common_rim(scene, keep);
-    return meetings;
+    return MeetingFinder(scene).find();
 }
 
 }  // namespace ff::studies

