@@ -5,7 +5,7 @@
 #include "core/geometry/standing_bodies.hpp"
 #include "core/geometry/surface_map.hpp"
 #include "core/visibility/level_overlaps.hpp"
-#include "studies/scene_files/meetings.hpp"
+#include "studies/scene_files/junctions.hpp"
 
 #include <Eigen/Geometry>
 
@@ -157,9 +157,9 @@ Turned side_to_turn(const Scene& scene, const Part& part, bool is_closed) {
 }
 
 /// Meetings of what bodies leave of the surfaces that they stand on: at their rims nothing meets what they cover.
-std::vector<Meeting> meetings_beside_bodies(const Scene& scene) {
+std::vector<Junction> junctions_beside_bodies(const Scene& scene) {
     const StandingBodies standing = standing_bodies(scene, level_gap(scene));
-    if (!standing.any()) return find_meetings(scene);
+    if (!standing.any()) return find_junctions(scene);
     Scene rest = scene;
     rest.surfaces.clear();
     std::vector<std::uint32_t> of;
@@ -176,35 +176,37 @@ std::vector<Meeting> meetings_beside_bodies(const Scene& scene) {
         }
         of.resize(rest.surfaces.size(), i);
     }
-    std::vector<Meeting> meetings = find_meetings(rest);
-    for (Meeting& meeting : meetings) meeting = {of[meeting.first], of[meeting.second], meeting.same_way};
-    std::erase_if(meetings, [](const Meeting& meeting) { return meeting.first == meeting.second; });
-    return meetings;
+    std::vector<Junction> junctions = find_junctions(rest);
+    for (Junction& junction : junctions)
+        junction = {of[junction.first], of[junction.second], junction.same_way, junction.certain};
+    std::erase_if(junctions, [](const Junction& junction) { return junction.first == junction.second; });
+    return junctions;
 }
 
 }  // namespace
 
 Winding find_winding(const Scene& scene) {
-    const auto is_fault = [&](const Meeting& meeting) {
-        return meeting.same_way && scene.surfaces[meeting.first].face == scene.surfaces[meeting.second].face;
+    const auto is_of_one_face = [&](const Junction& junction) {
+        return scene.surfaces[junction.first].face == scene.surfaces[junction.second].face;
     };
-    std::vector<Meeting> meetings = find_meetings(scene);
-    if (std::any_of(meetings.begin(), meetings.end(), is_fault)) meetings = meetings_beside_bodies(scene);
+    const auto is_fault = [&](const Junction& junction) { return junction.same_way && is_of_one_face(junction); };
+    std::vector<Junction> junctions = find_junctions(scene);
+    if (std::any_of(junctions.begin(), junctions.end(), is_fault)) junctions = junctions_beside_bodies(scene);
     Winding winding;
-    if (std::none_of(meetings.begin(), meetings.end(), is_fault)) return winding;
+    if (std::none_of(junctions.begin(), junctions.end(), is_fault)) return winding;
     std::vector<std::vector<std::pair<std::uint32_t, bool>>> joined(scene.surfaces.size());
-    for (const auto& [first, second, same_way] : meetings) {
-        if (scene.surfaces[first].face != scene.surfaces[second].face) continue;
-        joined[first].emplace_back(second, same_way);
-        joined[second].emplace_back(first, same_way);
+    for (const Junction& junction : junctions) {
+        if (!junction.certain || !is_of_one_face(junction)) continue;
+        joined[junction.first].emplace_back(junction.second, junction.same_way);
+        joined[junction.second].emplace_back(junction.first, junction.same_way);
     }
     for (const Part& part : parts_of(scene.surfaces.size(), joined)) {
-        const auto is_turned = [](const auto& surface) { return surface.second; };
+        const auto is_other_side = [](const auto& surface) { return surface.second; };
         const auto meets_all_around = [&](const auto& surface) {
             const Shape& shape = scene.surfaces[surface.first].shape;
             return is_polygon(shape) && joined[surface.first].size() >= corners(shape).size();
         };
-        if (std::ranges::none_of(part.surfaces, is_turned) && !part.is_one_sided) continue;
+        if (std::ranges::none_of(part.surfaces, is_other_side) && !part.is_one_sided) continue;
         const Turned turned = side_to_turn(scene, part, std::ranges::all_of(part.surfaces, meets_all_around));
         if (!turned) {
             winding.undecided.push_back(scene.surfaces[part.surfaces.front().first].face);
@@ -215,15 +217,23 @@ Winding find_winding(const Scene& scene) {
         }
     }
     std::sort(winding.turned.begin(), winding.turned.end());
+    const auto is_turned = [&](std::uint32_t surface) {
+        return std::binary_search(winding.turned.begin(), winding.turned.end(), surface);
+    };
+    for (const Junction& junction : junctions) {
+        if (!junction.certain && is_of_one_face(junction) &&
+            (junction.same_way != is_turned(junction.first)) != is_turned(junction.second))
+            winding.undecided.push_back(scene.surfaces[junction.first].face);
+    }
     return winding;
 }
 
 std::vector<std::pair<int, int>> faces_wound_differently(const Scene& scene) {
     std::vector<std::pair<int, int>> pairs;
-    for (const auto& [a, b, same_way] : find_meetings(scene)) {
+    for (const auto& [a, b, same_way, certain] : find_junctions(scene)) {
         const int first = scene.surfaces[a].face;
         const int second = scene.surfaces[b].face;
-        if (same_way && first != second) pairs.push_back(std::minmax(first, second));
+        if (same_way && certain && first != second) pairs.push_back(std::minmax(first, second));
     }
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());

@@ -153,6 +153,18 @@ TEST(Winding, IsSoundWhereABodyStandsAtTheEdgeOfASheet) {
     EXPECT_THAT(doubts_about_obj(table).notes, ElementsAre(HasSubstr("5.88 % of face 'things' is covered")));
 }
 
+// A wall that is one piece beside walls and a roof of two is not turned round by these edges alone.
+TEST(Winding, IsAFaultWhereEdgesOfOtherLengthsAtAnAngleDisagree) {
+    const std::string room =
+        "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\nv 1 0 0\nv 1 0 2\nv 1 2 0\nv 1 2 2\n"
+        "g all of it\nf 1 9 11 4\nf 9 2 3 11\nf 5 8 12 10\nf 10 12 7 6\nf 2 6 7 3\nf 4 8 5 1\nf 3 7 12 11\nf 11 12 8 "
+        "4\n";
+    EXPECT_THAT(doubts_about_obj(room + "f 1 5 6 2\n").faults, IsEmpty());
+    EXPECT_THAT(doubts_about_obj(room + "f 1 5 6 2\n").notes, testing::Each(HasSubstr("sees mostly itself")));
+    EXPECT_THAT(doubts_about_obj(room + "v 0 0 1\nv 2 0 1\nf 2 14 13 1\nf 13 14 6 5\n").faults,
+                Contains(HasSubstr("surfaces of face 'all of it' meet in an edge")));
+}
+
 /// The rim is as high as one step of the coordinates.
 TEST(Winding, IsSoundWhereSurfacesAreNarrow) {
     const std::string rim =

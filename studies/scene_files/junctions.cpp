@@ -1,4 +1,4 @@
-#include "studies/scene_files/meetings.hpp"
+#include "studies/scene_files/junctions.hpp"
 
 #include "core/geometry/box_tree.hpp"
 #include "core/geometry/convex_polygon.hpp"
@@ -68,20 +68,20 @@ double slack_of(const Scene& scene, const Side& side) {
 
 /// Finds surfaces that meet where no third one does: where bodies, fins or floors meet, an edge says nothing of which
 /// of them face the same way.
-class MeetingFinder {
+class JunctionFinder {
   public:
-    explicit MeetingFinder(const Scene& scene) : scene_(scene) {}
+    explicit JunctionFinder(const Scene& scene) : scene_(scene) {}
 
-    std::vector<Meeting> find() && {
+    std::vector<Junction> find() && {
         find_common_edges();
         find_common_rims();
-        return std::move(meetings_);
+        return std::move(junctions_);
     }
 
   private:
     const Scene& scene_;
     std::optional<BoxTree> surfaces_;  ///< made when it is first needed
-    std::vector<Meeting> meetings_;
+    std::vector<Junction> junctions_;
 
     [[nodiscard]] double cosine(std::uint32_t a, std::uint32_t b) const {
         return scene_.surfaces[a].normal.dot(scene_.surfaces[b].normal);
@@ -93,7 +93,9 @@ class MeetingFinder {
         return cosine(a, b) > parallel;
     }
 
-    void add(std::uint32_t a, std::uint32_t b, bool same_way) { meetings_.push_back({a, b, same_way}); }
+    void add(std::uint32_t a, std::uint32_t b, bool same_way, bool certain = true) {
+        junctions_.push_back({a, b, same_way, certain});
+    }
 
     /// Whether no third surface reaches all of these places.
     bool is_theirs_alone(std::uint32_t a, std::uint32_t b, const std::array<Vector3d, 3>& places, double slack) {
@@ -146,8 +148,7 @@ class MeetingFinder {
         find_near_edges(free);
     }
 
-    /// Edges with ends that rounding has moved apart and, of surfaces in one plane, edges of different lengths. (A body
-    /// may stand on the edge of a surface that it is at an angle with.)
+    /// Edges of different lengths, as in T-junctions, or with ends that rounding has moved apart.
     void find_near_edges(const std::vector<Side>& free) {
         constexpr double level = 1 - 1e-4;
         std::vector<Eigen::AlignedBox3d> boxes;
@@ -170,12 +171,13 @@ class MeetingFinder {
                 const double to = (b.to - a.from).dot(edge) / length;
                 const double begin = std::max(std::min(from, to), 0.0);
                 const double end = std::min(std::max(from, to), length);
-                const bool is_same =
-                    std::abs(std::min(from, to)) <= slack && std::abs(std::max(from, to) - length) <= slack;
-                if (end - begin <= 10 * slack || !(is_same || std::abs(cosine(a.surface, b.surface)) > level)) return;
+                if (end - begin <= 10 * slack) return;
+                const bool is_whole =
+                    begin <= slack && length - end <= slack && std::abs(to - from) - length <= 2 * slack;
+                const bool certain = is_whole || std::abs(cosine(a.surface, b.surface)) > level;
                 if (from < to && lie_over_each_other(a.surface, b.surface)) return;
                 const auto places = places_between(a.from + begin / length * edge, a.from + end / length * edge);
-                if (is_theirs_alone(a.surface, b.surface, places, slack)) add(a.surface, b.surface, from < to);
+                if (is_theirs_alone(a.surface, b.surface, places, slack)) add(a.surface, b.surface, from < to, certain);
             });
         }
     }
@@ -237,8 +239,8 @@ class MeetingFinder {
 
 }  // namespace
 
-std::vector<Meeting> find_meetings(const Scene& scene) {
-    return MeetingFinder(scene).find();
+std::vector<Junction> find_junctions(const Scene& scene) {
+    return JunctionFinder(scene).find();
 }
 
 }  // namespace ff::studies
