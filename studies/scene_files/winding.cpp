@@ -156,7 +156,7 @@ Turned side_to_turn(const Scene& scene, const Part& part, bool is_closed) {
     return by_area ? by_area : by_others;
 }
 
-/// Meetings of what bodies leave of the surfaces that they stand on: at their rims nothing meets what they cover.
+/// Junctions of what bodies leave of the surfaces that they stand on: at their rims nothing meets what they cover.
 std::vector<Junction> junctions_beside_bodies(const Scene& scene) {
     const StandingBodies standing = standing_bodies(scene, level_gap(scene));
     if (!standing.any()) return find_junctions(scene);

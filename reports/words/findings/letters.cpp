@@ -6,6 +6,8 @@
 
 namespace ff::reports {
 
+using studies::Ranked;
+
 std::string letter(std::span<const Ranked> ranked, const Ranked& one) {
     const bool groups = std::any_of(ranked.begin(), ranked.end(), [](const Ranked& each) { return each.group > 0; });
     return groups ? std::string(1, static_cast<char>('a' + std::min<std::size_t>(one.group, 25))) : std::string();
