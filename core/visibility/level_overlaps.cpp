@@ -29,6 +29,8 @@ constexpr double planes_off = 16;
 constexpr double near = 1e-6;
 /// How many steps of coordinates what lies in a slanting plane may be apart once it is rounded to them.
 constexpr double steps_off = 2;
+/// A surface that lies on another by more than this share of its area was not meant to abut it.
+constexpr double most_by_rounding = 0.05;
 /// Places of a disc along each of its coordinates.
 constexpr int lattice = 32;
 
@@ -74,6 +76,16 @@ bool lie_in_one_plane(const Surface& a, const Surface& b, double gap) {
     return std::min(heights(a, b), heights(b, a)) <= gap;
 }
 
+/// Whether each edge of a polygon is along an axis: rounding moves all edges on such a line to the same place.
+bool has_edges_along_axes(const Surface& surface) {
+    const ConvexPolygon polygon = corners(surface.shape);
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Eigen::Array3d edge = (next_corner(polygon, k) - polygon[k]).array().abs();
+        if (edge.sum() > (1 + 1e-14) * edge.maxCoeff()) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 double common_area(const Surface& a, const Surface& b) {
@@ -117,8 +129,11 @@ std::vector<LevelOverlap> level_overlaps(const Scene& scene) {
             const bool level = lie_in_one_plane(a, b, gap);
             const double rounding = level ? 4 * gap / planes_off : doubt;
             if (common <= std::max(least_share * smaller, rounding * rim)) return;
-            overlaps.push_back(
-                {i, j, a.normal.dot(b.normal) > 0, common, level, !level && lie_in_one_plane(a, b, doubt)});
+            const bool by_rounding = level &&
+                                     common <= std::min(doubtful_gap(scene) * rim, most_by_rounding * smaller) &&
+                                     !(has_edges_along_axes(a) && has_edges_along_axes(b));
+            overlaps.push_back({i, j, a.normal.dot(b.normal) > 0, common, level,
+                                !level && lie_in_one_plane(a, b, doubt), by_rounding});
         });
     }
     std::sort(overlaps.begin(), overlaps.end(), [](const LevelOverlap& a, const LevelOverlap& b) {

@@ -27,6 +27,9 @@ struct LevelOverlap {
     double area = 0;         ///< covered by both; approximate for discs
     bool level = true;       ///< they are within level_gap: coordinates do not tell which of them hides the other
     bool in_doubt = false;   ///< nor do they here if they were rounded to the scene's coordinate_step
+    /// They are level, and no more lies twice than corners may leave that were rounded to the coordinate_step, where
+    /// polygons abut whose edges are not along axes.
+    bool by_rounding = false;
 };
 
 /// All overlaps of a scene that cover at least a millionth of the smaller surface, and more than rounding can cover

@@ -6,6 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace ff::reports {
 
@@ -43,6 +47,18 @@ std::string row_warning(const FormFactorReport& report, const std::vector<std::s
     return fmt::format("scene '{}' is said to be closed, but {} ({})", report.scene.name, sums, cause);
 }
 
+/// The row of a closed scene that seems to miss 1 by more than the tolerance, where none is shown to.
+std::optional<std::size_t> row_in_doubt(const FormFactorReport& report) {
+    const studies::form_factors::Matrix& matrix = report.matrix;
+    if (matrix.leak > 0 || matrix.left_out > 0 || !studies::form_factors::rows_add_up(report.scene)) return {};
+    const auto miss = [](const studies::form_factors::RowSum& row) {
+        return row.excludes_one ? 0 : std::max(1 - row.high, row.low - 1);
+    };
+    const auto most = std::ranges::max_element(matrix.rows, {}, miss);
+    if (most == matrix.rows.end() || miss(*most) <= report.request.tolerance) return {};
+    return static_cast<std::size_t>(most - matrix.rows.begin());
+}
+
 }  // namespace
 
 std::vector<std::string> form_factor_warnings(const FormFactorReport& report) {
@@ -59,6 +75,12 @@ std::vector<std::string> form_factor_warnings(const FormFactorReport& report) {
             "scene '{}' is said to be closed, but rows differ from 1 by up to {} (gaps or overlaps, as rounded corners "
             "leave them); intervals of entries allow for what their rows miss",
             report.scene.name, brief(matrix.leak, 2)));
+    if (const auto row = row_in_doubt(report); row && rows.empty())
+        warnings.push_back(fmt::format(
+            "scene '{}' is said to be closed, but the row of face '{}' may not add up to 1: {} [{}, {}] (a gap or an "
+            "overlap, or chance). A smaller --tolerance tells.",
+            report.scene.name, report.scene.faces[*row], brief(matrix.rows[*row].value, 6),
+            brief(matrix.rows[*row].low, 6), brief(matrix.rows[*row].high, 6)));
     if (closed && matrix.lost_rays > 0) {
         warnings.push_back(fmt::format("scene '{}' is said to be closed, but {} of {} met nothing", report.scene.name,
                                        matrix.lost_rays, counted(matrix.rays, "ray")));

@@ -98,10 +98,14 @@ void judge_closure(Matrix& matrix, const LostRays& lost, bool add_up, const Requ
         exchange.high = std::min(limit, exchange.high + missing);
         exchange.low = std::max(0.0, exchange.low - excess);
     };
+    const auto most_missing = [&](std::size_t face) {
+        return add_up ? std::max(0.0, 1 - matrix.rows[face].low) * matrix.areas[face] : matrix.areas[face];
+    };
     for (FaceExchange& exchange : matrix.exchanges) {
         const Misses& from = misses[exchange.from];
         const Misses& to = misses[exchange.to];
-        widen(exchange, common(from.missing, to.missing), common(from.excess, to.excess));
+        const double most_of_both = std::min(most_missing(exchange.from), most_missing(exchange.to));
+        widen(exchange, std::min(most_of_both, common(from.missing, to.missing)), common(from.excess, to.excess));
     }
     // A row may miss more than all that it shares with others.
     const std::vector<Misses> left = add_up ? misses_of_entries(matrix) : std::vector<Misses>(matrix.faces());

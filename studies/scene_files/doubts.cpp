@@ -1,11 +1,10 @@
-#include "core/geometry/outlines.hpp"
 #include "core/geometry/placement.hpp"
-#include "core/visibility/level_overlaps.hpp"
 #include "core/visibility/mirrors.hpp"
 #include "core/visibility/standing.hpp"
 #include "studies/readers/printable.hpp"
 #include "studies/scene_files/doubt_words.hpp"
 #include "studies/scene_files/formats.hpp"
+#include "studies/scene_files/level_doubts.hpp"
 #include "studies/scene_files/orientation.hpp"
 #include "studies/scene_files/scene_file.hpp"
 
@@ -13,12 +12,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <limits>
-#include <map>
 #include <set>
-#include <tuple>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace ff::studies {
 namespace {
@@ -27,49 +26,6 @@ constexpr std::size_t most_surfaces_examined = 65536;
 constexpr std::size_t most_faces_examined = 4096;
 /// The rounding of coordinates is noticeable above this share of a face's size, which is the root of its area.
 constexpr double noticeable = 1e-9;
-
-/// Overlaps of less of either face are no fault in a closed scene.
-constexpr double slight = 1e-6;
-
-/// The two sides of a thin wall may be as close to each other as they like.
-void add_near(const Scene& scene, const LevelOverlap& overlap, SceneDoubts& doubts) {
-    const auto [low, high] = std::minmax(scene.surfaces[overlap.first].face, scene.surfaces[overlap.second].face);
-    if (!overlap.same_side || high < 0) return;
-    std::string note = fmt::format(
-        "scene '{}': {} lie over each other, less than a millionth of their size apart (the one in front is taken to "
-        "hide the other)",
-        scene.name,
-        low == high ? "surfaces of " + face_in_words(scene, low)
-                    : fmt::format("{} and {}", face_in_words(scene, low), face_in_words(scene, high)));
-    if (std::find(doubts.notes.begin(), doubts.notes.end(), note) == doubts.notes.end())
-        doubts.notes.push_back(std::move(note));
-}
-
-/// Faces of which a body may cover a part.
-void add_grounds_in_doubt(const Scene& scene, SceneDoubts& doubts) {
-    std::set<std::size_t> grounds;
-    for (const std::uint32_t surface : grounds_in_doubt(scene)) {
-        if (scene.surfaces[surface].face >= 0) grounds.insert(static_cast<std::size_t>(scene.surfaces[surface].face));
-    }
-    if (grounds.empty()) return;
-    add(doubts.faults, scene,
-        "a body may stand on {}: coordinates that may be rounded to {:.1g} do not tell (what it covers is not left "
-        "out). "
-        "Write coordinates with more digits, or cut the face out beneath it.",
-        names(scene, {grounds.begin(), grounds.end()}), scene.coordinate_step);
-}
-
-/// Pairs of faces, or of a face and an occluder, that may have been drawn in one plane.
-void add_in_doubt(const Scene& scene, std::set<std::pair<int, int>> pairs, SceneDoubts& doubts) {
-    pairs.erase({-1, -1});
-    if (pairs.empty()) return add_grounds_in_doubt(scene, doubts);
-    const auto [low, high] = *pairs.begin();
-    add(doubts.faults, scene,
-        "{} and {}{} lie over each other, nearer than coordinates tell that may be rounded to {:.1g} (which of them "
-        "hides the other is not known). Write coordinates with more digits, or move them farther apart.",
-        face_in_words(scene, high), low == high ? "itself" : face_in_words(scene, low),
-        and_other_pairs(pairs.size() - 1), scene.coordinate_step);
-}
 
 void add_round_bodies(const Scene& scene, SceneDoubts& doubts) {
     std::set<std::pair<int, int>> faces;
@@ -116,70 +72,6 @@ void add_winding(const Scene& scene, SceneDoubts& doubts) {
     add(doubts.notes, scene,
         "faces '{}' and '{}'{} run through a common edge in the same direction (one of them may face the wrong way)",
         name_of_face(scene, first), name_of_face(scene, second), and_other_pairs(pairs.size() - 1));
-}
-
-void add_overlaps(const Scene& scene, SceneDoubts& doubts) {
-    const Placement placement = placement_of(scene);
-    const Scene where = placed(scene, placement);
-    std::map<std::tuple<bool, int, int>, double> areas;  // keys: whether they face the same way, and the two faces
-    std::set<std::pair<int, int>> in_doubt;
-    std::vector<std::uint32_t> bodies;
-    const auto are_sides_of_a_sheet = [&](const LevelOverlap& overlap) {
-        if (bodies.empty()) bodies = Outlines(where, level_gap(where)).bodies();
-        return !overlap.same_side && bodies[overlap.first] == bodies[overlap.second];
-    };
-    for (const LevelOverlap& overlap : level_overlaps(where)) {
-        if (overlap.in_doubt) {
-            if (are_sides_of_a_sheet(overlap)) continue;
-            in_doubt.insert(std::minmax(scene.surfaces[overlap.first].face, scene.surfaces[overlap.second].face));
-            continue;
-        }
-        if (!overlap.level) {
-            add_near(scene, overlap, doubts);
-            continue;
-        }
-        const auto [low, high] = std::minmax(scene.surfaces[overlap.first].face, scene.surfaces[overlap.second].face);
-        if (high < 0) continue;  // overlapping occluders are harmless
-        areas[{overlap.same_side, low, high}] += overlap.area * placement.unit * placement.unit;
-    }
-    add_in_doubt(scene, in_doubt, doubts);
-    std::size_t back_to_back = 0;
-    std::string an_example;
-    for (const auto& [key, area] : areas) {
-        const auto& [same_side, low, high] = key;
-        const std::string& face = name_of_face(scene, high);
-        const double share = 100 * area / face_area(scene, high);
-        // What rounded corners let overlap in a closed scene is measured with the form factors, like gaps.
-        const bool is_slight =
-            scene.closed && low >= 0 && area <= slight * std::min(face_area(scene, low), face_area(scene, high));
-        auto& same_side_doubts = is_slight ? doubts.notes : doubts.faults;
-        if (low < 0) {
-            add(same_side ? doubts.faults : doubts.notes, scene,
-                "an occluder lies on face '{}' in one plane and covers {:.3g} % of it (it is taken to lie behind the "
-                "face and hides nothing of it). Move it a little in front of the face, or cut the face out beneath it.",
-                face, share);
-        } else if (same_side && low == high) {
-            add(same_side_doubts, scene,
-                "surfaces of face '{}' lie over each other in one plane, {:.3g} % of it (what lies twice is counted "
-                "twice). Remove one of them.",
-                face, share);
-        } else if (same_side) {
-            add(same_side_doubts, scene,
-                "faces '{}' and '{}' lie over each other in one plane and radiate to the same side, {:.3g} % of '{}' "
-                "(neither is taken to hide the other: what arrives there is counted for one or for both). Move the one "
-                "that is seen a little to the front, or cut the other out beneath it.",
-                name_of_face(scene, low), face, share, face);
-        } else if (back_to_back++ == 0) {
-            an_example = low == high ? fmt::format("surfaces of face '{}'", face)
-                                     : fmt::format("faces '{}' and '{}'", name_of_face(scene, low), face);
-        }
-    }
-    if (back_to_back > 0) {
-        add(doubts.notes, scene,
-            "{}{} lie in one plane back to back (they are taken for the two sides of a thin wall: nothing passes "
-            "between them)",
-            an_example, and_other_pairs(back_to_back - 1));
-    }
 }
 
 void add_resolution(const Scene& scene, SceneDoubts& doubts) {

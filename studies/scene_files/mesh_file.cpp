@@ -6,6 +6,7 @@
 #include "studies/scene_files/formats.hpp"
 #include "studies/scene_files/meshes/formats.hpp"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <fmt/format.h>
@@ -107,9 +108,23 @@ class ObjWriter {
                     kind.name, kind.extension);
 }
 
+/// The library takes the names of files literally.
+class FilesOfGltf : public Assimp::DefaultIOSystem {
+  public:
+    [[nodiscard]] bool Exists(const char* file) const override {
+        return DefaultIOSystem::Exists(file) || DefaultIOSystem::Exists(meshes::percent_decoded(file).c_str());
+    }
+
+    Assimp::IOStream* Open(const char* file, const char* mode) override {
+        return DefaultIOSystem::Open(DefaultIOSystem::Exists(file) ? file : meshes::percent_decoded(file).c_str(),
+                                     mode);
+    }
+};
+
 std::string gltf_as_obj(const std::string& file, std::string_view bytes) {
     const std::size_t triangles = meshes::expect_plain_gltf(file, bytes);
     Assimp::Importer importer;
+    importer.SetIOHandler(new FilesOfGltf);  // which the importer deletes
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* scene = importer.ReadFile(file, aiProcess_SortByPType | aiProcess_ValidateDataStructure);
     if (scene == nullptr || scene->mRootNode == nullptr)

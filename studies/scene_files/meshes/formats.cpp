@@ -7,6 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <system_error>
 
 namespace ff::studies::meshes {
 namespace {
@@ -91,6 +96,19 @@ std::string SurfaceMesh::as_obj() const {
     if (volume_cells_ == 0) return notes_ + text_;
     return fmt::format("# {}{} volume cell{} left out (surfaces alone exchange radiation)\n{}{}", note_on_mesh,
                        volume_cells_, volume_cells_ == 1 ? " is" : "s are", notes_, text_);
+}
+
+std::string percent_decoded(std::string_view name) {
+    std::string decoded;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        unsigned char code = 0;
+        const std::string_view digits = name.substr(std::min(i + 1, name.size()), 2);
+        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
+        const bool is_code = name[i] == '%' && error == std::errc() && end == digits.data() + 2;
+        decoded += is_code ? static_cast<char>(code) : name[i];
+        if (is_code) i += 2;
+    }
+    return decoded;
 }
 
 const MeshKind* mesh_kind(std::string_view bytes) {

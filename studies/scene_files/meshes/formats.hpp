@@ -76,6 +76,9 @@ struct MeshKind {
     SurfaceMesh (*read)(std::string_view file, std::string_view bytes) = nullptr;
 };
 
+/// A name in which blanks and others stand as %20: those of arrays in VTK's files, and of files in glTF's.
+std::string percent_decoded(std::string_view name);
+
 /// Null where the content of a file does not tell.
 const MeshKind* mesh_kind(std::string_view bytes);
 

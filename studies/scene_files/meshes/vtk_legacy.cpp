@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,20 +18,6 @@ namespace ff::studies::meshes {
 namespace {
 
 constexpr NumberType byte_type{NumberType::Kind::natural, 1};
-
-/// A name of an array, in which blanks and others stand as %20.
-std::string decoded_name(std::string_view word) {
-    std::string name;
-    for (std::size_t i = 0; i < word.size(); ++i) {
-        unsigned char code = 0;
-        const std::string_view digits = word.substr(std::min(i + 1, word.size()), 2);
-        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
-        const bool is_code = word[i] == '%' && error == std::errc() && end == digits.data() + 2;
-        name += is_code ? static_cast<char>(code) : word[i];
-        if (is_code) i += 2;
-    }
-    return name;
-}
 
 class LegacyReader {
   public:
@@ -222,7 +207,7 @@ class LegacyReader {
     /// A text of an array: a line, or in binary its length and its bytes. The two highest bits of the length tell how
     /// many bytes it has itself.
     std::string text() {
-        if (in_.encoding() == Encoding::text) return decoded_name(in_.line());
+        if (in_.encoding() == Encoding::text) return percent_decoded(in_.line());
         const auto byte = [&] { return static_cast<std::uint64_t>(in_.whole(byte_type)); };
         const std::uint64_t first = byte();
         constexpr std::array<int, 4> further_bytes{7, 3, 1, 0};
@@ -233,7 +218,7 @@ class LegacyReader {
 
     void read_array(const std::string& word, std::string_view type_name, std::uint64_t tuples,
                     std::uint64_t components) {
-        const std::string name = decoded_name(word);
+        const std::string name = percent_decoded(word);
         const bool is_of_cells = owner_ == Owner::cells;
         if (in_capitals(type_name) == "STRING") {
             in_.expect_room(tuples, components, 1);

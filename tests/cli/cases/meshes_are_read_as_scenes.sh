@@ -71,10 +71,12 @@ for name, quad in walls.items():
     meshes.append({"primitives": [{"attributes": {"POSITION": len(accessors) - 2}, "indices": len(accessors) - 1,
                                    "material": 0 if name in ("floor", "roof") else 1}]})
     nodes.append({"name": name, "mesh": len(meshes) - 1, "scale": scale})
-json.dump({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(6))}], "nodes": nodes,
-           "meshes": meshes, "materials": [{"name": "red brick"}, {"name": "steel"}], "accessors": accessors,
-           "bufferViews": views, "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," +
-                                              base64.b64encode(data).decode()}]}, open("room.gltf", "w"))
+open("the places.bin", "wb").write(data)
+within = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
+for file, uri in ("room.gltf", within), ("room_beside.gltf", "the%20places.bin"):
+    json.dump({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(6))}], "nodes": nodes,
+               "meshes": meshes, "materials": [{"name": "red brick"}, {"name": "steel"}], "accessors": accessors,
+               "bufferViews": views, "buffers": [{"byteLength": len(data), "uri": uri}]}, open(file, "w"))
 PYTHON
 
 ffstudy form-factors box:4x3x2.5 --out box --quiet
@@ -93,7 +95,7 @@ for i, a in enumerate(order):
         assert abs(found[i][j] - factors[a][b]) < 1e-12, found
 PYTHON
 }
-for file in room.stl room.gltf; do
+for file in room.stl room.gltf room_beside.gltf; do
     ffstudy form-factors $file --closed --out of_$file
     expect_status 0
     expect_stdout "F from           to floor            to roof           to south            to east"

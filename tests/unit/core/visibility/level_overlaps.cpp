@@ -84,6 +84,26 @@ TEST(LevelOverlaps, AreInDoubtWithinTwoStepsOnSlantingPlanes) {
     }
 }
 
+// What is certain is that rounding explains neither much of a surface, nor what is wide, nor edges along axes.
+TEST(LevelOverlaps, AreExplainedByRoundingAlongSlantingEdges) {
+    const auto explained = [](double over, double width, double angle) {
+        Scene scene = test::faces_of({level_rectangle(0, 0, 1, 1), level_rectangle(1 - over, 0, width, 1)}, false);
+        const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
+        for (Surface& surface : scene.surfaces) {
+            auto& shape = std::get<Parallelogram>(surface.shape);
+            shape = {turn * shape.corner, turn * shape.edge_u, turn * shape.edge_v};
+        }
+        scene.coordinate_step = 1e-3;
+        const auto found = level_overlaps(scene);
+        EXPECT_EQ(found.size(), 1u);
+        return !found.empty() && found[0].by_rounding;
+    };
+    EXPECT_TRUE(explained(1e-3, 1, 0.4));
+    EXPECT_FALSE(explained(6e-3, 1, 0.4)) << "too wide";
+    EXPECT_FALSE(explained(1e-3, 4e-3, 0.4)) << "a quarter of a strip";
+    EXPECT_FALSE(explained(1e-3, 1, 0)) << "along axes";
+}
+
 // The plane of a small surface is known less well than its place: at the far end of a wall it may be far off.
 TEST(LevelOverlaps, AreFoundForSmallSurfacesInTheRoundingOfTheirCorners) {
     for (const double size : {1e-1, 1e-4, 1e-7, 1e-10}) {
