@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <set>
 #include <string>
@@ -41,11 +42,26 @@ void add_round_bodies(const Scene& scene, SceneDoubts& doubts) {
 }
 
 void add_covered(const Scene& scene, SceneDoubts& doubts) {
+    constexpr std::size_t most_named = 3;
+    const auto share = [](const CoveredPart& part) {
+        return part.area == part.whole ? "all" : fmt::format("{:.3g} %", 100 * part.area / part.whole);
+    };
+    if (scene.covered.size() > most_named) {
+        std::vector<CoveredPart> parts = scene.covered;
+        std::ranges::stable_sort(parts, std::greater(), [](const auto& part) { return part.area / part.whole; });
+        std::vector<std::string> all;
+        for (const CoveredPart& part : parts) all.push_back(fmt::format("{} of '{}'", share(part), part.face));
+        add(doubts.notes, scene,
+            "{} faces are covered, by bodies that stand on them or by what they stand on: {} (these parts are left "
+            "out, and areas are those of the rest)",
+            parts.size(), first_names(std::move(all), most_named));
+        return;
+    }
     for (const CoveredPart& part : scene.covered) {
-        const bool whole = part.area == part.whole;
         add(doubts.notes, scene, "{} of face '{}' is covered, by a body that stands on it or by what it stands on ({})",
-            whole ? "all" : fmt::format("{:.3g} %", 100 * part.area / part.whole), part.face,
-            whole ? "the face is left out" : "that part is left out, and its area is that of the rest");
+            share(part), part.face,
+            part.area == part.whole ? "the face is left out"
+                                    : "that part is left out, and its area is that of the rest");
     }
 }
 

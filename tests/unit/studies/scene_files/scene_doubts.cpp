@@ -211,6 +211,21 @@ TEST(SceneDoubts, NameAFloorThatABodyMayStandOn) {
     EXPECT_THAT(examine_scene(floor_with_box(0, [](double x) { return fmt::format("{:.3f}", x); })).faults, IsEmpty());
 }
 
+TEST(SceneDoubts, CountWhatManyBodiesCover) {
+    std::string text = "v 0 0 0\nv 9 0 0\nv 9 1 0\nv 0 1 0\ng floor\nf 1 2 3 4\n";
+    for (int k = 0; k < 4; ++k) {
+        for (const int z : {0, 1 + k}) {
+            for (const auto& [x, y] : {std::pair(0.1, 0.1), {1.1, 0.1}, {1.1, 0.6}, {0.1, 0.6}})
+                text += fmt::format("v {} {} {}\n", x + 2 * k, y, z);
+        }
+        text += fmt::format(
+            "g leg{}\nf -8 -7 -3 -4\nf -7 -6 -2 -3\nf -6 -5 -1 -2\nf -5 -8 -4 -1\nf -4 -3 -2 -1\nf -5 -6 -7 -8\n", k);
+    }
+    EXPECT_THAT(examine_scene(read_obj(text)).notes,
+                ElementsAre(AllOf(HasSubstr("5 faces are covered"),
+                                  HasSubstr("22.2 % of 'floor', 12.5 % of 'leg0', 7.14 % of 'leg1' and 2 more"))));
+}
+
 // A sheet of 2 mm in millimetres, turned: what its sides hide of each other is no question.
 TEST(SceneDoubts, AllowAThinSheet) {
     std::string text;
