@@ -14,6 +14,7 @@
 #include "core/support/words.hpp"
 #include "reports/files/output_file.hpp"
 #include "reports/terminal/terminal.hpp"
+#include "reports/text/numbers.hpp"
 #include "studies/results/resources.hpp"
 #include "studies/run/measured_costs.hpp"
 #include "studies/run/merge.hpp"
@@ -260,12 +261,11 @@ ExitCode run(const RunCommand& command) {
                 [&](std::span<const std::uint64_t> words) { return deliver(studies::from_words(words)); });
         };
     }
-    const char* const units = request.threads == 1 ? "the work unit" : "the work units";
-    stop_gracefully_on_signals(
-        command.quiet
-            ? ""
-            : fmt::format("\nstopping: finishing {} in progress, for two seconds at most; again to drop them\n",
-                          units));
+    stop_gracefully_on_signals(command.quiet ? ""
+                                             : fmt::format("\nstopping: finishing {} (two seconds at most); Ctrl-C "
+                                                           "again to drop {}\n",
+                                                           reports::counted(request.threads, "work unit"),
+                                                           request.threads == 1 ? "it" : "them"));
     bool worked = false;
     studies::MeasuredCosts costs(plan);
     options.report = [&](const studies::RunProgress& state) {

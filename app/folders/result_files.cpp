@@ -16,8 +16,8 @@
 #include "reports/latex/latex.hpp"
 #include "reports/markdown/audit_markdown.hpp"
 #include "reports/markdown/markdown.hpp"
+#include "reports/pictures/answer_svg.hpp"
 #include "reports/pictures/drawing_request.hpp"
-#include "reports/pictures/ranking_svg.hpp"
 
 #include <fmt/format.h>
 
@@ -29,8 +29,8 @@ namespace {
 void write_markdown(OutputFolder& folder, const ResultSources& sources) {
     const studies::StudyResults& results = sources.results;
     folder.write("report.md", reports::markdown_report(results));
-    if (const auto lead = reports::answer_ranking(results))
-        folder.write("answer.svg", reports::ranking_svg(*lead));
+    if (const auto lead = reports::answer_picture(results))
+        folder.write("answer.svg", reports::answer_svg(*lead));
     else
         folder.remove("answer.svg");  // an earlier run may have had one
     if (!results.published) return;

@@ -8,8 +8,8 @@
 #include "core/support/error.hpp"
 #include "reports/csv/csv.hpp"
 #include "reports/markdown/markdown.hpp"
+#include "reports/pictures/answer_svg.hpp"
 #include "reports/pictures/pictures.hpp"
-#include "reports/pictures/ranking_svg.hpp"
 #include "reports/words/answer.hpp"
 #include "studies/outside/outside_code.hpp"
 #include "studies/readers/text_file.hpp"
@@ -72,7 +72,7 @@ StudyTables tables_of(const studies::Store& store, const std::atomic<bool>& stop
     tables.trials = text_of([&](std::ostream& out) { reports::write_trials_csv(out, store); });
     tables.report = reports::markdown_report(results);
     tables.answer = reports::answer(results).text;
-    if (const auto lead = reports::answer_ranking(results)) tables.picture = reports::ranking_svg(*lead);
+    if (const auto lead = reports::answer_picture(results)) tables.picture = reports::answer_svg(*lead);
     tables.warnings = results.findings.plan.warnings;
     tables.complete = store.is_complete();
     return tables;

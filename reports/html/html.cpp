@@ -45,11 +45,11 @@ std::string_view table_of(Subject subject) {
         case Subject::occlusion:
             return "occlusion";
         case Subject::coverage:
-            return "coverage";
+            return "least-coverage";
         case Subject::choice:
             return "decisions";
         case Subject::configurations:
-            return "configurations";
+            return "agreement";
         case Subject::rates:
             return "convergence";
         case Subject::variances:
@@ -63,9 +63,29 @@ std::string_view table_of(Subject subject) {
     return "methods";
 }
 
+/// Sets the table that the answer rests on: of a long one the first rows, with the rest of it to be opened.
+void set_main_table(const Table& table, Json& view) {
+    constexpr std::size_t most_rows = 24;
+    constexpr std::size_t first_rows = 12;
+    Table first = table;
+    if (table.rows.size() > most_rows) {
+        first.rows.resize(first_rows);
+        first.remarks.clear();
+        Table whole = table;
+        whole.id += "-whole";
+        whole.title = fmt::format("{}: all {} rows", table.title, table.rows.size());
+        view["rests_on_whole"] = table_view(whole);
+    }
+    view["rests_on"] = table_view(first);
+}
+
 /// Sets the table that the answer rests on, and all others, which readers open if they want to know more.
 void add_tables(const studies::StudyResults& results, Subject subject, Json& view) {
     Json others = Json::array();
+    view["rests_on_whole"] = Json();
+    if (subject == Subject::light) set_main_table(told_light_table(results), view);
+    if (subject == Subject::coverage) set_main_table(least_coverage_table(results), view);
+    if (subject == Subject::configurations) set_main_table(agreement_table(results), view);
     for (const Table& table :
          {methods_table(results), occlusion_table(results), configurations_table(results), convergence_table(results),
           decisions_table(results, false), contests_table(results, false), reductions_table(results),
@@ -73,11 +93,10 @@ void add_tables(const studies::StudyResults& results, Subject subject, Json& vie
           error_law_table(results), spreads_table(results)}) {
         if (table.rows.empty()) continue;
         if (table.id == table_of(subject))
-            view["rests_on"] = table_view(table);
+            set_main_table(table, view);
         else
             others.push_back(table_view(table));
     }
-    if (subject == Subject::light) view["rests_on"] = table_view(told_light_table(results));
     view["has_findings"] = !others.empty();
     view["findings"] = std::move(others);
 }
@@ -280,6 +299,7 @@ std::string html_report(const studies::StudyResults& results, const Templates& t
     view["published"] = results.published ? published_view(*results.published, 1 - spec.level, top) : Json();
     view["brief"] = texts_view(results_in_brief(results));
     view["has_brief"] = !view["brief"].empty();
+    view["findings_in_brief"] = counted(view["brief"].size(), "finding");
     view["radiosity"] = results.radiosity ? radiosity_view(results) : Json();
     view["scenes"] = scenes_view(results.findings.plan);
     add_tables(results, top.subject, view);
@@ -297,7 +317,10 @@ std::string html_report(const studies::StudyResults& results, const Templates& t
     add_pictures(page, templates, view);
     const std::vector<std::string_view> scripts{script, templates.text("vega.js")};
     view["policy"] = security_policy(styles, scripts);
-    const auto fill = [&] { return fill_template(templates, "report", view, escape_html); };
+    const auto fill = [&] {
+        view["many_pairs"] = counted(view["pairs"].size(), "table");
+        return fill_template(templates, "report", view, escape_html);
+    };
     std::string html = fill();
     constexpr std::size_t most_bytes = 1'500'000;
     while (html.size() > most_bytes && leave_out(page, html.size() - most_bytes)) {

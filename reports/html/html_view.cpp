@@ -2,6 +2,7 @@
 
 #include "core/support/contract.hpp"
 #include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
 #include "reports/text/study_text.hpp"
 
 #include <fmt/format.h>
@@ -113,6 +114,20 @@ Json headline_view(const Headline& headline) {
     return {{"question", headline.question}, {"verdict", headline.verdict}, {"numbers", std::move(numbers)}};
 }
 
+namespace {
+
+/// "35 rows: pairs, verdict, RMSE slope, interval": what a folded table holds.
+std::string inside(const Table& table) {
+    constexpr std::size_t most_titles = 4;
+    std::vector<std::string> titles;
+    for (std::size_t i = 1; i < table.columns.size() && titles.size() < most_titles; ++i) {
+        if (!table.columns[i].title.empty()) titles.push_back(table.columns[i].title);
+    }
+    return fmt::format("{}: {}", counted(table.rows.size(), "row"), fmt::join(titles, ", "));
+}
+
+}  // namespace
+
 Json table_view(const Table& table) {
     Json columns = Json::array();
     for (const TableColumn& column : table.columns)
@@ -135,6 +150,7 @@ Json table_view(const Table& table) {
     return {{"id", table.id},
             {"title", table.title},
             {"note", table.note},
+            {"inside", inside(table)},
             {"grouped", grouped},
             {"has_minor", count_minor(table, 0, table.columns.size()) > 0},
             {"groups", std::move(groups)},

@@ -22,8 +22,9 @@ Json texts_view(const std::vector<std::string>& lines);
 /// The view of a headline for templates: `verdict`, `numbers` (`value`, `label`, `detail`).
 Json headline_view(const Headline& headline);
 
-/// The view of a table for table.mustache: `id`, `title`, `note`, `groups` (`title`, `span`), `columns` (`title`,
-/// `number`), `rows` of a `name` and `cells` (`text`, `number`, `mark`, `says`: the mark in words), `remarks`.
+/// The view of a table for table.mustache: `id`, `title`, `note`, `inside` (its size and columns), `groups` (`title`,
+/// `span`), `columns` (`title`, `number`), `rows` of a `name` and `cells` (`text`, `number`, `mark`, `says`: the mark
+/// in words), `remarks`.
 Json table_view(const Table& table);
 
 /// How to reproduce the page: `study_file` (its text), `file` and `tables_file` (names), `program` that made it.

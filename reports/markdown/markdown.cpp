@@ -2,7 +2,7 @@
 
 #include "reports/markdown/markdown_sections.hpp"
 #include "reports/markdown/markdown_text.hpp"
-#include "reports/pictures/pictures.hpp"
+#include "reports/pictures/answer_svg.hpp"
 #include "reports/tables/tables.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/answer.hpp"
@@ -47,7 +47,7 @@ std::string brief_section(const studies::StudyResults& results) {
     const Answer said = answer(results);
     std::string out = said.question.empty() ? std::string() : fmt::format("*{}*\n\n", markdown_text(said.question));
     out += fmt::format("**{}**\n\n", markdown_text(said.text));
-    if (const auto lead = answer_ranking(results))
+    if (const auto lead = answer_picture(results))
         out += fmt::format("![{}](answer.svg)\n\n{}\n\n", markdown_text(lead->title), markdown_text(lead->finding));
     out += "## In brief\n\n";
     out += bias_line(results.findings);
@@ -170,10 +170,7 @@ std::string radiosity_section(const studies::StudyResults& results) {
     for (const std::string& line : radiosity_in_brief(results)) out += fmt::format("- {}\n", markdown_text(line));
     for (const Table& table : radiosity_tables(results)) {
         out += fmt::format("\n### {}\n\n{}\n\n", table.title, table.note);
-        const bool is_long = table.rows.size() > 40;
-        if (is_long) out += fmt::format("<details><summary>{} rows</summary>\n\n", table.rows.size());
-        out += markdown_table(table);
-        if (is_long) out += "</details>\n";
+        out += folded_if_long(markdown_table(table), table.rows.size());
     }
     return out + "\n";
 }
@@ -186,7 +183,7 @@ std::string markdown_report(const studies::StudyResults& results) {
     out += markdown_section(methods_table(results));
     out += markdown_section(occlusion_table(results));
     out += markdown_section(configurations_table(results));
-    out += slopes_section(results);
+    out += markdown_section(convergence_table(results));
     out += markdown_section(decisions_table(results, false));
     out += markdown_section(contests_table(results, false));
     out += markdown_section(reductions_table(results));

@@ -17,57 +17,7 @@
 namespace ff::reports {
 namespace {
 
-std::string interval_text(const std::optional<stats::Interval>& interval) {
-    return interval ? fmt::format("[{:.3f}, {:.3f}]", interval->low, interval->high) : "–";
-}
-
-std::string with_interval(double value, const std::optional<stats::Interval>& interval) {
-    if (!interval) return brief(value);
-    return with_ends(value, interval->low, interval->high);
-}
-
-std::string size_rows(const studies::ClassSlopes& found) {
-    std::string out;
-    for (const studies::ClassError& size : found.sizes) {
-        const bool infinite = size.status == studies::VarianceStatus::infinite;
-        out += fmt::format("| {} | {} | {} | {} | {} | {} |\n", name(found.pair_class), size.evaluations,
-                           infinite ? "infinite" : brief(size.rmse), brief(size.median_abs_error),
-                           with_interval(size.bias, size.bias_interval),
-                           size.efficiency ? with_interval(*size.efficiency, size.efficiency_interval) : "–");
-    }
-    return out;
-}
-
-std::string pair_rows(const Scene& scene, const studies::LadderSlopes& ladder) {
-    std::string out;
-    for (std::size_t i = 0; i + 1 < ladder.pairs.size(); i += 2) {
-        const studies::Slope& rmse = ladder.pairs[i];
-        const studies::Slope& median = ladder.pairs[i + 1];
-        out += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", markdown_cell(quantity_label(scene, *rmse.pair)),
-                           name(rmse.pair_class), rmse.slope ? fmt::format("{:.3f}", *rmse.slope) : "–",
-                           interval_text(rmse.interval), rmse.lack_of_fit_p ? p_value(*rmse.lack_of_fit_p) : "–",
-                           median.slope ? fmt::format("{:.3f}", *median.slope) : "–", interval_text(median.interval));
-    }
-    return out;
-}
-
-std::string ladder_details(const studies::StudyPlan& plan, const studies::LadderSlopes& ladder) {
-    std::string out = fmt::format("<details><summary>{}{}: sizes {}, pair by pair</summary>\n\n",
-                                  escape_html(scene_prefix(plan, ladder.ladder.scene)),
-                                  escape_html(ladder.ladder.label), sizes_text(plan, ladder.ladder));
-    out +=
-        "| pairs | N | RMSE | median of the absolute error | mean bias | efficiency 1 / (RMSE² N) "
-        "|\n|---|--:|--:|--:|--:|--:|\n";
-    for (const studies::ClassSlopes& found : ladder.classes) out += size_rows(found);
-    out +=
-        "\n| pair | class | RMSE slope | interval | lack of fit p | median slope | interval "
-        "|\n|---|---|--:|--:|--:|--:|--:|\n";
-    out += pair_rows(plan.scenes[ladder.ladder.scene], ladder);
-    return out + "\n</details>\n\n";
-}
-
 using studies::CellAnalysis;
-using studies::Completion;
 using studies::QuantityKind;
 using studies::StudyPlan;
 using studies::Summary;
@@ -79,19 +29,6 @@ std::optional<double> t_statistic(const Summary& s) {
 std::string t_text(const Summary& s) {
     const auto t = t_statistic(s);
     return t ? fmt::format("{:+.2f}", *t) : "–";
-}
-
-/// Whether other rows say all of it: sums of relative errors, and pairs that follow by reciprocity.
-bool follows(const Summary& s, Completion completion) {
-    switch (s.quantity.kind) {
-        case QuantityKind::form_factor:
-            return completion == Completion::reciprocal && s.quantity.to < s.quantity.from;
-        case QuantityKind::row_sum:
-            return false;
-        case QuantityKind::sum_relative_error:
-            break;
-    }
-    return true;
 }
 
 /// The pair with the largest |t|, or with the largest error where nothing is tested.
@@ -135,35 +72,7 @@ std::string worst_table(const studies::Analysis& findings) {
     return out;
 }
 
-/// t of every pair and row sum, a row for each sampled cell of one scene and completion; empty where there is none.
-std::string t_table(const studies::Analysis& findings, std::size_t scene, Completion completion) {
-    const StudyPlan& plan = findings.plan;
-    std::string header = "| method and size |";
-    std::string rule = "|---|";
-    std::string rows;
-    for (const CellAnalysis& found : findings.cells) {
-        const studies::Cell& cell = plan.cells[found.cell];
-        if (cell.scene != scene || !found.bias || plan.spec.methods[cell.method].completion != completion) continue;
-        const bool first = rows.empty();
-        rows += fmt::format("| {} |", markdown_cell(cell_label(plan, cell)));
-        for (const Summary& s : found.summaries) {
-            if (follows(s, completion)) continue;
-            if (first) header += fmt::format(" {} |", markdown_cell(quantity_label(plan.scenes[scene], s.quantity)));
-            if (first) rule += "--:|";
-            rows += fmt::format(" {} |", t_text(s));
-        }
-        rows += "\n";
-    }
-    return rows.empty() ? std::string() : header + "\n" + rule + "\n" + rows + "\n";
-}
-
 }  // namespace
-
-std::string slopes_section(const studies::StudyResults& results) {
-    std::string out = markdown_section(convergence_table(results));
-    for (const studies::LadderSlopes& ladder : results.slopes) out += ladder_details(results.findings.plan, ladder);
-    return out;
-}
 
 std::string bias_section(const studies::StudyResults& results) {
     const StudyPlan& plan = results.findings.plan;
@@ -177,19 +86,7 @@ std::string bias_section(const studies::StudyResults& results) {
         "index below 2 means infinite variance. All pairs, with all their statistics: "
         "summary.csv.\n\n",
         plan.spec.level, 100 * (1 - plan.spec.level), plan.spec.power);
-    out += worst_table(results.findings) + "\n";
-    std::string tables;
-    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
-        for (const Completion completion : {Completion::direct, Completion::reciprocal})
-            tables += t_table(results.findings, scene, completion);
-    }
-    if (tables.empty()) return out;
-    return out +
-           fmt::format(
-               "<details><summary>t of every pair and row sum</summary>\n\n{}No t where the value never varies "
-               "(closure fixes the sum), where there are too few hits or the trials are too skewed, and under infinite "
-               "variance (pairs that touch, with the area kernel).\n\n</details>\n\n",
-               tables);
+    return out + folded_if_long(worst_table(results.findings) + "\n", results.findings.cells.size());
 }
 
 std::string reproduction_section(const studies::StudyResults& results) {

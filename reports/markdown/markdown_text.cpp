@@ -89,9 +89,16 @@ std::string markdown_table(const Table& table) {
     return out + "\n";
 }
 
+std::string folded_if_long(const std::string& table, std::size_t rows) {
+    constexpr std::size_t most_rows = 40;
+    return rows <= most_rows ? table
+                             : fmt::format("<details><summary>{} rows</summary>\n\n{}</details>\n\n", rows, table);
+}
+
 std::string markdown_section(const Table& table) {
     if (table.rows.empty()) return {};
-    return fmt::format("## {}\n\n{}\n\n{}", table.title, table.note, markdown_table(table));
+    return fmt::format("## {}\n\n{}\n\n{}", table.title, table.note,
+                       folded_if_long(markdown_table(table), table.rows.size()));
 }
 
 }  // namespace ff::reports

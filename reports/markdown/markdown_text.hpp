@@ -2,6 +2,7 @@
 
 #include "reports/text/table.hpp"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,9 @@ std::string markdown_code(std::string_view language, std::string_view lines);
 
 /// Rows and remarks of a table for a code host; title and note are left to the caller.
 std::string markdown_table(const Table& table);
+
+/// Many rows of Markdown are folded, so that the page stays readable.
+std::string folded_if_long(const std::string& table, std::size_t rows);
 
 /// A section of report.md: title, note, and the table; empty where there are no rows.
 std::string markdown_section(const Table& table);

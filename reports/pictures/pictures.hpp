@@ -45,7 +45,7 @@ struct PictureGroup {
 std::optional<Picture> lead_picture(const studies::StudyResults& results, const MethodChoice& methods = {});
 
 /// The numbers that the answer compares, a row for each method; empty where it compares none. It is the picture beside
-/// the answer in report.md, and in report.html where no other shows more.
+/// the answer where no other shows more.
 std::optional<Picture> answer_ranking(const studies::StudyResults& results, const MethodChoice& methods = {});
 
 /// Error against evaluations of the methods that a publication compares, at all sizes, with the errors of its figures;

@@ -2,6 +2,7 @@
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/findings/occlusion_words.hpp"
+#include "reports/words/findings/printed_errors.hpp"
 #include "reports/words/findings/standing.hpp"
 #include "reports/words/published_words.hpp"
 #include "reports/words/sizes.hpp"
@@ -83,6 +84,7 @@ Picture convergence_picture(const studies::StudyResults& results, std::size_t sc
     const studies::Analysis& findings = results.findings;
     bool is_expected = false;
     bool is_printed = false;
+    std::set<std::string> not_as_described;  // methods that do not give their printed figures
     PictureValues values({"method", "role", "size", "evaluations", "error", "low", "high"});
     MethodLines lines(styles, HeightAxis::logarithmic);
     for (const SizeSeries& series : all) {
@@ -95,8 +97,11 @@ Picture convergence_picture(const studies::StudyResults& results, std::size_t sc
                         drawn_high(interval)});
             lines.add(point.error, interval);
             if (!results.published) continue;
-            const double printed = printed_errors(results, point.found->cell, pair_class).printed_rms;
+            const PrintedErrors errors = printed_errors(results, point.found->cell, pair_class);
+            const double printed = errors.printed_rms;
             if (printed < studies::rounding_error) continue;
+            if (errors.differs && findings.plan.cells[point.found->cell].deterministic)
+                not_as_described.insert(series.method);
             values.add({series.method, "printed", size_label(findings.plan, findings.plan.cells[point.found->cell]),
                         point.found->evaluations_per_face, drawn(printed), nullptr, nullptr});
             lines.make_room(printed);
@@ -110,9 +115,12 @@ Picture convergence_picture(const studies::StudyResults& results, std::size_t sc
     return picture_of(
         values, "convergence", fmt::format("convergence-{}", place),
         fmt::format("Error against evaluations, {}.", place),
-        fmt::format("{}Bands and bars: {:g} % intervals{}{}.", finding, percents,
+        fmt::format("{}Bands and bars: {:g} % intervals{}{}{}.", finding, percents,
                     is_expected ? "; dashed: the slope that theory expects" : "",
-                    is_printed ? "; hollow: the printed figures, one run" : ""),
+                    is_printed ? "; hollow: the printed figures, one run" : "",
+                    not_as_described.empty()
+                        ? ""
+                        : fmt::format(" (which {} as described does not give)", fmt::join(not_as_described, ", "))),
         fmt::format("RMSE of a run on {} against evaluations per face, both logarithmic, with {:g} % intervals, a line "
                     "for each method; where the variance is infinite, the median of the absolute error.",
                     place, percents));
@@ -171,12 +179,13 @@ Picture picture_of_series(const studies::StudyResults& results, const studies::O
     }
     lines.set(values);
     const std::string pair = quantity_label(plan.scenes[series.scenes.front().scene], series.pair);
-    return picture_of(values, "occlusion", fmt::format("occlusion-{}-{}", series.family, pair),
-                      fmt::format("Error against the occluded fraction: {}, {}.", series.family, pair),
-                      series_in_words(results, series),
-                      fmt::format("RMSE of a run (logarithmic) on {} against the occluded fraction of its form factor, "
-                                  "in {} scenes with another {}, a line for each method, with {:g} % intervals.",
-                                  pair, series.scenes.size(), series.measure, 100 * plan.spec.level));
+    return picture_of(
+        values, "occlusion", fmt::format("occlusion-{}-{}", series.family, pair),
+        fmt::format("Error against the occluded fraction: {}, {}.", series.family, pair),
+        fmt::format("{} Bars: {:g} % intervals.", series_in_words(results, series), 100 * plan.spec.level),
+        fmt::format("RMSE of a run (logarithmic) on {} against the occluded fraction of its form factor, "
+                    "in {} scenes with another {}, a line for each method, with {:g} % intervals.",
+                    pair, series.scenes.size(), series.measure, 100 * plan.spec.level));
 }
 
 }  // namespace

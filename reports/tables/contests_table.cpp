@@ -165,7 +165,7 @@ Table best_of_scenes(const studies::StudyResults& results, Equal equal) {
                 "Methods that are exact to rounding, or else those that are not shown to be worse than the one with "
                 "the smallest mean square error; and the first that is: how many times as large its mean square error "
                 "is.",
-                columns({"scene", "pairs", "kind", "best", "next"})};
+                columns({"scene", "~pairs", "~kind", "best", "~next"})};
     for (const Contest* contest : studies::main_contests(results.contests, equal)) {
         std::vector<std::string> best = names_of_exact(plan, *contest);
         for (std::string& method : best) method += " (exact)";
@@ -199,7 +199,7 @@ Table decisions_table(const studies::StudyResults& results, bool timed) {
         "shown to have a smaller mean square error, which may be that of rounding. In parentheses in how many of the "
         "cases that they can do (without a variance or a common cost, they are not compared), and how many times the "
         "smallest mean square error they make where they do worst.",
-        columns({"pairs", ">cases", "take", "or"})};
+        columns({"pairs", ">cases", "take", "~or"})};
     for (const studies::Decision& decision : studies::decide(plan, results.contests, equal)) {
         // All methods that are best as often as the one at this place.
         const auto alike = [&](std::size_t place) {

@@ -115,15 +115,15 @@ Table convergence_table(const studies::StudyResults& results) {
     Table table{
         "convergence", "Convergence",
         fmt::format(
-            "Slope of ln(error) on ln N, N evaluations for a face (for a pair of faces with area_kernel): weighted "
-            "least squares with Var(ln MSE) = ψ₁(T/2), scaled by how trials vary. Intervals of level {:g} "
+            "Slope of ln(error) on ln N, N evaluations per face in a trial: weighted least squares with Var(ln MSE) = "
+            "ψ₁(T/2), scaled by how trials vary. Intervals of level {:g} "
             "cover those by bootstrap over whole trials (whose pairs may depend on each other) and, of the RMSE, those "
             "from the weights of the fit. Lack of fit: χ² of the straight line. Theory: the rate expected, with its "
             "source; “≤” where it only bounds the "
             "error; a range where powers of ln N slow it down at these sizes. Verdicts: Holm over all rows with a "
             "theory, {:g} % together.",
             plan.spec.level, 100 * (1 - plan.spec.level)),
-        columns({"method", "pairs", "verdict", ">RMSE slope", ">~interval", ">~from the fit", ">~lack of fit p",
+        columns({"method", "pairs", "~verdict", ">RMSE slope", ">~interval", ">~from the fit", ">~lack of fit p",
                  ">~median slope", ">~interval", "~theory"})};
     for (const studies::LadderSlopes& ladder : results.slopes) {
         for (const studies::ClassSlopes& found : ladder.classes) {

@@ -8,7 +8,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -81,7 +84,9 @@ Table reductions_table(const studies::StudyResults& results) {
                             "also that of the efficiency per point.",
                             plan.spec.level),
                 columns({"method", "pairs", ">times less variance", "~size", "~allocation"})};
-    for (const studies::VarianceReduction& reduction : results.reductions) {
+    std::vector<studies::VarianceReduction> largest_first = results.reductions;
+    std::ranges::stable_sort(largest_first, std::ranges::greater(), &studies::VarianceReduction::factor);
+    for (const studies::VarianceReduction& reduction : largest_first) {
         const studies::Cell& cell = plan.cells[reduction.cell];
         const studies::Method& method = plan.spec.methods[cell.method];
         const bool shoots = estimator_info(method).observes == Observes::hits;
@@ -102,7 +107,7 @@ Table coverage_table(const studies::StudyResults& results) {
             "on average. Marked: significantly short of {0:g} (Šidák over all rows, {1:g} % together).",
             plan.spec.level, 100 * (1 - plan.spec.level)),
         columns(
-            {"method", "pairs", "interval", ">R", ">coverage", "~remark", ">~mean trials", ">~intervals", "~size"})};
+            {"method", "~pairs", "interval", ">R", ">coverage", "~remark", ">~mean trials", ">~intervals", "~size"})};
     for (const studies::Coverage& row : results.coverage) {
         const studies::Cell& cell = plan.cells[row.cell];
         const bool infinite = results.findings.cells[row.cell].has_infinite_variance(row.pair_class);
@@ -119,6 +124,27 @@ Table coverage_table(const studies::StudyResults& results) {
                               size_label(plan, cell)});
     }
     return without_idle_columns(std::move(table));
+}
+
+Table least_coverage_table(const studies::StudyResults& results) {
+    Table table{"least-coverage", "Least coverage of each rule",
+                fmt::format("Over all methods and pairs whose variance is finite: the smallest share of intervals of "
+                            "level {0:g} that contain the exact value, with its own Clopper-Pearson interval. Marked: "
+                            "significantly short of {0:g}.",
+                            results.findings.plan.spec.level),
+                columns({"interval", ">R", ">least coverage", "~method"})};
+    for (const Ranking& rule : least_coverage(results)) {
+        for (const RankedMethod& least : rule.methods) {
+            const bool is_short = least.group.ends_with('*');
+            table.rows.push_back(
+                {rule.heading,
+                 least.label.substr(least.label.rfind(' ') + 1),
+                 {fmt::format("{:.4f} [{:.4f}, {:.4f}]", *least.value, least.interval->low, least.interval->high),
+                  is_short ? Mark::bad : Mark::none},
+                 least.group});
+        }
+    }
+    return table;
 }
 
 Table spreads_table(const studies::StudyResults& results) {

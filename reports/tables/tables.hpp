@@ -20,6 +20,9 @@ Table convergence_table(const studies::StudyResults& results);
 /// Pairs of faces of the catalogue: estimate, interval, exact value, deviation.
 Table configurations_table(const studies::StudyResults& results);
 
+/// The same by method: how many estimates agree with exact values, and the one furthest off.
+Table agreement_table(const studies::StudyResults& results);
+
 /// Scenes of families by the occluded fraction: exact value, and every method's error and slope on the pair.
 Table occlusion_table(const studies::StudyResults& results);
 
@@ -34,6 +37,9 @@ Table reductions_table(const studies::StudyResults& results);
 
 /// How often intervals contain the exact value.
 Table coverage_table(const studies::StudyResults& results);
+
+/// The least coverage of each rule with each number of replicates.
+Table least_coverage_table(const studies::StudyResults& results);
 
 /// All methods against each other, at equal evaluations, processor time and error: for a study with one scene, each
 /// class of pairs and method; for others, the best of each scene.

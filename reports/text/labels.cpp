@@ -118,9 +118,9 @@ std::string_view kind_in_words(studies::PairKind kind) {
         case studies::PairKind::small:
             return "far";
         case studies::PairKind::occluded:
-            return "maybe occluded";
+            return "possibly occluded";
         case studies::PairKind::occluded_adjacent:
-            return "adjacent, maybe occluded";
+            return "adjacent, possibly occluded";
         case studies::PairKind::curved:
             return "curved";
         case studies::PairKind::curved_adjacent:

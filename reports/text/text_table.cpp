@@ -1,5 +1,6 @@
 #include "reports/text/text_table.hpp"
 
+#include "core/support/words.hpp"
 #include "reports/text/folding.hpp"
 
 #include <fmt/format.h>
@@ -37,9 +38,17 @@ struct SetColumn {
     bool begins_line = false;
 };
 
-std::size_t width_of(const Table& table, std::size_t i) {
+/// Length of the longest word.
+std::size_t longest_word(std::string_view text) {
+    std::size_t longest = 0;
+    for (const std::string_view word : split_at(' ', text)) longest = std::max(longest, visible_length(word));
+    return longest;
+}
+
+/// @param titles_fold  whether a title may have several lines, of whole words
+std::size_t width_of(const Table& table, std::size_t i, bool titles_fold) {
     const TableColumn& column = table.columns[i];
-    std::size_t width = visible_length(column.title);
+    std::size_t width = titles_fold ? longest_word(column.title) : visible_length(column.title);
     const bool alone = (i == 0 || table.columns[i - 1].group != column.group) &&
                        (i + 1 == table.columns.size() || table.columns[i + 1].group != column.group);
     if (alone) width = std::max(width, visible_length(column.group));
@@ -47,11 +56,11 @@ std::size_t width_of(const Table& table, std::size_t i) {
     return width;
 }
 
-std::vector<SetColumn> set_columns(const Table& table, std::size_t room) {
+std::vector<SetColumn> set_columns(const Table& table, std::size_t room, bool titles_fold) {
     std::vector<SetColumn> columns;
     std::size_t end = 0;  // width of the line so far
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
-        const std::size_t width = width_of(table, i);
+        const std::size_t width = width_of(table, i, titles_fold);
         const bool begins_line = i > 0 && end + gap + width > room;
         columns.push_back({width, begins_line});
         end = (begins_line ? indent : i == 0 ? 0 : end + gap) + width;
@@ -84,6 +93,29 @@ std::string row_text(const Table& table, const std::vector<SetColumn>& columns, 
     return out;
 }
 
+/// The titles of columns, a row for each of their lines. The last lines stand on the first row of the table.
+std::vector<std::vector<TableCell>> title_rows(const Table& table, const std::vector<SetColumn>& columns) {
+    std::vector<std::vector<std::string>> lines;
+    std::size_t height = 1;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        std::vector<std::string>& own = lines.emplace_back();
+        for (const std::string_view word : split_at(' ', table.columns[i].title)) {
+            const bool fits = !own.empty() && visible_length(own.back()) + 1 + visible_length(word) <= columns[i].width;
+            if (fits)
+                own.back() += fmt::format(" {}", word);
+            else
+                own.emplace_back(word);
+        }
+        height = std::max(height, own.size());
+    }
+    std::vector<std::vector<TableCell>> rows(height);
+    for (const auto& own : lines) {
+        for (std::size_t line = 0; line < height; ++line)
+            rows[line].emplace_back(line + own.size() < height ? std::string() : own[line + own.size() - height]);
+    }
+    return rows;
+}
+
 }  // namespace
 
 std::string painted(const std::string& text, Mark mark, Colour colour) {
@@ -92,19 +124,19 @@ std::string painted(const std::string& text, Mark mark, Colour colour) {
 }
 
 std::string text_table(const Table& table, const TextStyle& style) {
-    const auto columns = set_columns(table, style.width);
+    const auto is_folded = [](const SetColumn& column) { return column.begins_line; };
+    auto columns = set_columns(table, style.width, false);
+    if (std::any_of(columns.begin(), columns.end(), is_folded)) columns = set_columns(table, style.width, true);
     std::vector<TableCell> groups;
-    std::vector<TableCell> titles;
     bool grouped = false;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const TableColumn& column = table.columns[i];
         const bool first = i == 0 || table.columns[i - 1].group != column.group || columns[i].begins_line;
         groups.push_back(first ? column.group : "");
-        titles.push_back(column.title);
         grouped |= !column.group.empty();
     }
     std::string out = grouped ? row_text(table, columns, groups, style) : std::string();
-    out += row_text(table, columns, titles, style);
+    for (const auto& titles : title_rows(table, columns)) out += row_text(table, columns, titles, style);
     for (const auto& row : table.rows) out += row_text(table, columns, row, style);
     return out;
 }

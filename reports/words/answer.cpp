@@ -268,12 +268,12 @@ std::string sentence(std::vector<std::string> clauses, std::size_t words) {
     std::size_t taken = 1;
     for (std::size_t used = words_of(clauses.front()); taken < all; ++taken) {
         used += words_of(clauses[taken]);
-        const std::size_t remark = taken + 1 < all ? 3 : 0;  // "(2 more findings)"
+        const std::size_t remark = taken + 1 < all ? 4 : 0;  // "2 more findings below"
         if (used + remark > words) break;
     }
     clauses.resize(taken);
     std::string text = fmt::format("{}", fmt::join(clauses, "; "));
-    if (all > taken) text += fmt::format(" ({})", counted(all - taken, "more finding"));
+    if (all > taken) text += fmt::format("; {} below", counted(all - taken, "more finding"));
     return as_sentence(std::move(text));
 }
 

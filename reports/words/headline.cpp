@@ -120,9 +120,13 @@ KeyNumber bias_number(const studies::Analysis& findings) {
     number.label = "biased sampled methods and sizes";
     number.value = fmt::format("{} of {}", tally.found[BiasFinding::biased], tally.sampled);
     number.detail = fmt::format("Risk of any false alarm: {:g} %", 100 * (1 - findings.plan.spec.level));
-    if (tally.detectable > 0)
-        number.detail += fmt::format("; a bias of {} on one pair is found with power {:g}", brief(tally.detectable, 2),
-                                     findings.plan.spec.power);
+    if (!tally.detectable.empty()) {
+        const std::string median = brief(tally.detectable[tally.detectable.size() / 2], 2);
+        const std::string largest = brief(tally.detectable.back(), 2);
+        number.detail +=
+            fmt::format("; a bias of {} on one pair is found with power {:g}{}", median, findings.plan.spec.power,
+                        median == largest ? "" : fmt::format(" in half of them, of {} in all", largest));
+    }
     if (const auto inconclusive = tally.found[BiasFinding::inconclusive]; inconclusive > 0)
         number.detail += fmt::format("; {} may be biased or skewed", inconclusive);
     const auto untestable = tally.found[BiasFinding::untestable];
@@ -161,10 +165,11 @@ Headline headline(const studies::StudyResults& results) {
     for (KeyNumber& number : numbers_on_methods(results, said.finding, most_on_methods))
         out.numbers.push_back(std::move(number));
     if (const auto slowest = slowest_where_occluded(results)) {
-        out.numbers.push_back({fmt::format("{}: {} of {}", slowest->method, slowest->slow, slowest->pairs),
-                               fmt::format("partly occluded pairs slower than N^{:g}", studies::slope_of_random),
-                               "There its error falls more slowly than that of random points with finite "
-                               "variance, on more pairs than that of any other method."});
+        out.numbers.push_back({fmt::format("{} suffers most", slowest->method),
+                               fmt::format("from occlusion: on {} of {} pairs its error falls more slowly than N^{:g}",
+                                           slowest->slow, slowest->pairs, studies::slope_of_random),
+                               "The rate of random points with finite variance. No other method falls short of it on "
+                               "as many pairs."});
     }
     if (KeyNumber bias = bias_number(results.findings); !bias.value.empty()) out.numbers.push_back(std::move(bias));
     if (results.published && results.published->audit.figures > 0) {

@@ -2,6 +2,7 @@
 
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
+#include "reports/words/findings/printed_errors.hpp"
 
 #include <fmt/format.h>
 
@@ -183,30 +184,6 @@ std::vector<std::string> published_in_brief(const studies::PublishedResults& pub
     std::vector<std::string> lines{surprising_figures(published, alpha)};
     if (!published.claims.empty()) lines.push_back(claims_sentence(published));
     return lines;
-}
-
-PrintedErrors printed_errors(const studies::StudyResults& results, std::size_t cell, PairClass pair_class) {
-    const studies::PublishedResults& published = *results.published;
-    PrintedErrors errors{.cell = cell, .pair_class = pair_class};
-    for (const studies::TableComparison& table : published.comparisons) {
-        for (const studies::FigureComparison& c : table.figures) {
-            const studies::Figure& figure = published.tables.figures[c.figure];
-            if (c.cell != cell || !c.ours || figure.kind != studies::FigureKind::form_factor) continue;
-            const studies::Summary& summary = results.findings.cells[cell].summary(c.quantity);
-            if (summary.pair_class != pair_class || !summary.reference || *summary.reference == 0) continue;
-            ++errors.figures;
-            const double off = c.printed - *summary.reference;
-            errors.printed += std::abs(off / *summary.reference);
-            errors.ours += std::abs(*c.ours / *summary.reference - 1);
-            errors.printed_rms += off * off;
-            errors.differs |= std::abs(c.printed - *c.ours) > 2 * studies::half_printed_unit(figure.printed);
-        }
-    }
-    const auto count = static_cast<double>(std::max<std::size_t>(errors.figures, 1));
-    errors.printed /= count;
-    errors.ours /= count;
-    errors.printed_rms = std::sqrt(errors.printed_rms / count);
-    return errors;
 }
 
 std::string premise(const studies::StudyResults& results) {

@@ -31,20 +31,6 @@ bool is_surprising(const studies::FigureComparison& comparison, double alpha);
 /// The figures that the audit blames for a contradiction.
 std::set<std::size_t> blamed_figures(const studies::audit::Report& audit);
 
-/// The printed and the computed errors of a cell on a class of pairs.
-struct PrintedErrors {
-    std::size_t cell = 0;
-    PairClass pair_class = PairClass::other;
-    std::size_t figures = 0;  ///< printed form factors; without any, all errors are 0
-    double printed = 0;       ///< mean relative error
-    double ours = 0;          ///< the same, of the mean over trials
-    double printed_rms = 0;   ///< root mean square of printed - exact
-    bool differs = false;     ///< they differ by more than printing explains
-};
-
-/// @pre results.published
-PrintedErrors printed_errors(const studies::StudyResults& results, std::size_t cell, PairClass pair_class);
-
 /// " (tested: more evaluations)", to follow the statement of a claim; empty where its file says no more.
 std::string tested_as(const studies::PublishedClaim& claim);
 

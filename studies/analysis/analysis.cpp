@@ -170,6 +170,7 @@ CellAnalysis analyse_cell(const CellReader& cells, std::size_t cell_index) {
     findings.trials = estimates.trials();
     findings.trials_planned = needed_trials(cells.store(), cell_index);
     findings.lost_rays = estimates.lost_rays;
+    findings.samples_of_pair = estimates.samples_of_pair;
     findings.evaluations_per_face = estimates.evaluations_per_face;
     if (estimates.trials() == 0) return findings;
     bool equal_areas = true;

@@ -38,10 +38,11 @@ struct CellAnalysis {
     std::uint64_t trials = 0;  ///< number of saved trials
     std::uint64_t trials_planned = 0;
     std::uint64_t lost_rays = 0;
-    std::uint64_t evaluations_per_face = 0;
-    std::vector<Summary> summaries;        ///< in the order of `all_quantities`
-    std::vector<ClassError> class_errors;  ///< one for each class that the scene has; empty without exact values
-    std::vector<ErrorShape> shapes;        ///< one for each distinct pair with enough trials that vary
+    std::uint64_t samples_of_pair = 0;       ///< as in CellEstimates
+    std::uint64_t evaluations_per_face = 0;  ///< as in CellEstimates
+    std::vector<Summary> summaries;          ///< in the order of `all_quantities`
+    std::vector<ClassError> class_errors;    ///< one for each class that the scene has; empty without exact values
+    std::vector<ErrorShape> shapes;          ///< one for each distinct pair with enough trials that vary
     std::optional<PatchErrors> patch_errors;
     std::optional<BiasFamily> bias;  ///< empty for deterministic methods
     BiasFinding bias_finding = BiasFinding::untestable;

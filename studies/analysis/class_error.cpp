@@ -100,11 +100,11 @@ void add_efficiency(std::span<const double> squares, double level, const stats::
 
 }  // namespace
 
-stats::Unmet unmet_squares(const std::vector<stats::Unmet>& pairs, std::uint64_t evaluations) {
+stats::Unmet unmet_squares(const std::vector<stats::Unmet>& pairs, std::uint64_t samples_of_pair) {
     stats::Unmet mean;
     for (const stats::Unmet& pair : pairs) {
         if (pair.largest == 0 || !std::isfinite(pair.largest)) continue;
-        mean.largest += pair.largest * pair.largest / static_cast<double>(evaluations * pairs.size());
+        mean.largest += pair.largest * pair.largest / static_cast<double>(samples_of_pair * pairs.size());
         mean.evaluations = pair.evaluations;
     }
     return mean;
@@ -118,13 +118,14 @@ std::optional<ClassError> class_error(const CellEstimates& estimates, const Scen
     if (errors.empty()) return std::nullopt;
     std::vector<stats::Unmet> unmet;
     for (const Quantity pair : members) unmet.push_back(unmet_of(pair));
-    ClassError found = class_error_of(errors, members.size(), estimates.evaluations_per_face, status, level, unmet);
+    ClassError found = class_error_of(errors, members.size(), estimates.evaluations_per_face, status, level,
+                                      unmet_squares(unmet, estimates.samples_of_pair));
     found.pair_class = pair_class;
     return found;
 }
 
 ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std::uint64_t evaluations,
-                          VarianceStatus status, double level, const std::vector<stats::Unmet>& unmet) {
+                          VarianceStatus status, double level, const stats::Unmet& unmet) {
     ClassError found;
     found.pairs = pairs;
     found.trials = errors.size() / pairs;
@@ -137,11 +138,10 @@ ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std
     found.median_abs_error = *stats::median_absolute_error(errors, 0);
     found.bias = *stats::moments_of(means).mean();
     // Too few hits do not allow a test of a mean, but their spread can be measured.
-    if (status == VarianceStatus::finite || status == VarianceStatus::sparse)
-        add_variance(errors, level, unmet_squares(unmet, evaluations), found);
+    if (status == VarianceStatus::finite || status == VarianceStatus::sparse) add_variance(errors, level, unmet, found);
     if (status != VarianceStatus::finite) return found;
     found.bias_interval = stats::mean_interval(means, 0, level);
-    add_efficiency(squares, level, unmet_squares(unmet, evaluations), found);
+    add_efficiency(squares, level, unmet, found);
     return found;
 }
 

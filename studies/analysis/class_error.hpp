@@ -23,7 +23,7 @@ struct ClassError {
     PairClass pair_class = PairClass::other;
     std::size_t pairs = 0;
     std::size_t trials = 0;
-    std::uint64_t evaluations = 0;  ///< N, per face or per pair of faces
+    std::uint64_t evaluations = 0;  ///< N: what a trial costs, per face (CellEstimates)
     VarianceStatus status = VarianceStatus::finite;
     double rmse = 0;  ///< root mean square over trials and pairs; without a variance, for these trials only
     /// The mean square as it varies from trial to trial; empty where the variance is not finite, and for few trials.
@@ -51,13 +51,13 @@ std::optional<ClassError> class_error(const CellEstimates& estimates, const Scen
                                       double level, const UnmetOf& unmet_of);
 
 /// The same from errors, [trial * pairs + pair]; the class is not set. @pre at least one trial
-/// @param unmet  one for each pair; none where nothing is known
+/// @param unmet  `unmet_squares` of the pairs; none where nothing is known
 ClassError class_error_of(std::span<const double> errors, std::size_t pairs, std::uint64_t evaluations,
-                          VarianceStatus status, double level, const std::vector<stats::Unmet>& unmet = {});
+                          VarianceStatus status, double level, const stats::Unmet& unmet = {});
 
-/// The part of a trial's mean square error over these pairs that values met by no evaluation may add: one of n
-/// evaluations moves the trial by its value / n, and all n may do so.
-stats::Unmet unmet_squares(const std::vector<stats::Unmet>& pairs, std::uint64_t evaluations);
+/// The part of a trial's mean square error over these pairs that values met by no evaluation may add: one of the n
+/// samples of a pair moves the trial by its value / n, and all n may do so.
+stats::Unmet unmet_squares(const std::vector<stats::Unmet>& pairs, std::uint64_t samples_of_pair);
 
 /// Estimate - exact value, [trial * pairs + pair]. @pre all pairs have one
 std::vector<double> errors_of(const CellEstimates& estimates, std::span<const Quantity> pairs,

@@ -20,8 +20,9 @@ std::optional<stats::Measured> log_variance_of(const StudyPlan& plan, const Cell
     std::vector<double> values = estimates.values(pair);
     const double first = values.front();  // trials that do not vary have deviations of exactly 0 from it
     for (double& value : values) value -= first;
-    ClassError found = class_error_of(values, 1, estimates.evaluations_per_face, VarianceStatus::finite,
-                                      plan.spec.level, {known_limits(plan, estimates, pair).unmet});
+    ClassError found =
+        class_error_of(values, 1, estimates.evaluations_per_face, VarianceStatus::finite, plan.spec.level,
+                       unmet_squares({known_limits(plan, estimates, pair).unmet}, estimates.samples_of_pair));
     if (!found.squared_deviation) return std::nullopt;
     found.squared_deviation->unseen = 0;  // the other pairs of the cell say how skewed few trials may be
     return log_variance(found);

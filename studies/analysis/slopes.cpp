@@ -146,7 +146,7 @@ class LadderFit {
     [[nodiscard]] std::vector<stats::Rung> rungs(std::span<const Quantity> pairs) const {
         std::vector<stats::Rung> rungs;
         for (const auto& estimates : estimates_)
-            rungs.push_back({.size = static_cast<double>(estimates->evaluations_per_face),
+            rungs.push_back({.size = static_cast<double>(estimates->samples_of_pair),
                              .errors = errors_of(*estimates, pairs, known_),
                              .width = pairs.size()});
         return rungs;
@@ -177,7 +177,7 @@ class LadderFit {
         for (const auto& estimates : estimates_) {
             std::vector<stats::Unmet> of_pairs;
             for (const Quantity pair : pairs) of_pairs.push_back(known_limits(plan_, *estimates, pair).unmet);
-            unmet.push_back(unmet_squares(of_pairs, estimates->evaluations_per_face));
+            unmet.push_back(unmet_squares(of_pairs, estimates->samples_of_pair));
         }
         if (slope.may_bend)
             slope.lack_of_fit_p = std::max(*slope.lack_of_fit_p, stats::p_of_straight_line(sizes, unmet));

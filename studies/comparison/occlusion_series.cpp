@@ -33,7 +33,7 @@ std::uint64_t common_evaluations(const Analysis& findings, const std::vector<std
         for (std::size_t method = 0; method < findings.plan.spec.methods.size(); ++method) {
             std::uint64_t largest = 0;
             for (const std::size_t cell : cells_of(findings.plan, scene, method))
-                largest = std::max(largest, findings.cells[cell].evaluations_per_face);
+                largest = std::max(largest, findings.cells[cell].samples_of_pair);
             if (largest > 0) common = std::min(common, largest);
         }
     }
@@ -63,7 +63,7 @@ class Errors {
         if (cells.empty()) return std::nullopt;
         const double wanted = std::log(static_cast<double>(evaluations));
         const std::size_t cell = *std::ranges::min_element(cells, {}, [&](std::size_t each) {
-            const auto has = std::max<std::uint64_t>(1, findings_.cells[each].evaluations_per_face);
+            const auto has = std::max<std::uint64_t>(1, findings_.cells[each].samples_of_pair);
             return std::abs(std::log(static_cast<double>(has)) - wanted);
         });
         if (findings_.cells[cell].trials == 0) return std::nullopt;
@@ -71,9 +71,10 @@ class Errors {
         const CellEstimates& estimates = *loaded;
         const VarianceStatus status = findings_.cells[cell].summary(pair).variance;
         if (status == VarianceStatus::undefined) return std::nullopt;
-        const auto error =
-            class_error_of(errors_of(estimates, std::array{pair}, known), 1, estimates.evaluations_per_face, status,
-                           findings_.plan.spec.level, {known_limits(findings_.plan, estimates, pair).unmet});
+        const auto error = class_error_of(
+            errors_of(estimates, std::array{pair}, known), 1, estimates.evaluations_per_face, status,
+            findings_.plan.spec.level,
+            unmet_squares({known_limits(findings_.plan, estimates, pair).unmet}, estimates.samples_of_pair));
         const ErrorSize size = status == VarianceStatus::infinite ? ErrorSize::median_abs_error : ErrorSize::rmse;
         return PairError{cell, error, slope_of(slopes_, scene, method, pair, size)};
     }

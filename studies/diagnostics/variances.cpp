@@ -47,7 +47,7 @@ std::optional<VarianceCheck> check_cell(const Analysis& findings, std::size_t ce
         if (sigma == 0 || !sampled) continue;  // closure fixes the sum
         // Chi-squared wants nearly normal counts: ten hits per trial.
         const double mean = found.summary(quantity).reference.value_or(1.0);
-        if (mean * static_cast<double>(found.evaluations_per_face) < 10) continue;
+        if (mean * static_cast<double>(found.samples_of_pair) < 10) continue;
         const double p = chi_squared_two_sided_p(*sampled, sigma, found.trials);
         check.quantities.push_back({quantity, sigma, *sampled, p});
         p_values.push_back(p);

@@ -124,7 +124,7 @@ void compare_spreads(const Gate& gate, const Plan& plan, const Effect& effect,
     const auto spread = about_truth ? stats::mean_square_about(values, centre) : stats::mean_square_of(moments);
     const auto logarithm = logarithm_of_spread(
         values, centre,
-        unmet_squares({limits_of(gate, plan.study, effect, estimates).unmet}, estimates.evaluations_per_face));
+        unmet_squares({limits_of(gate, plan.study, effect, estimates).unmet}, estimates.samples_of_pair));
     if (!spread || !logarithm) {
         row.note = "fewer than four trials, or all alike";
         return;
@@ -219,10 +219,10 @@ void compare_slope(const Gate& gate, const Plan& plan, const Effect& effect, std
     std::vector<stats::Unmet> unmet;
     for (const std::size_t cell : effect.cells) {
         const CellEstimates& here = estimates[cell];
-        stats::Rung rung{static_cast<double>(here.evaluations_per_face), {}};
+        stats::Rung rung{static_cast<double>(here.samples_of_pair), {}};
         for (const double value : here.values(effect.quantity)) rung.errors.push_back(value - *effect.truth);
         ladder.push_back(std::move(rung));
-        unmet.push_back(unmet_squares({limits_of(gate, plan.study, effect, here).unmet}, here.evaluations_per_face));
+        unmet.push_back(unmet_squares({limits_of(gate, plan.study, effect, here).unmet}, here.samples_of_pair));
     }
     row.measurement = measure_slope(ladder, row.band, plan.levels);
     const auto rate = stats::measured_rmse_rate(ladder, unmet);
@@ -294,7 +294,7 @@ std::vector<Comparison> compare(const Gate& gate, const Plan& plan, std::span<co
                 compare_spreads(gate, plan, effect, plan.stored[i], first, values, row);
                 break;
             case GateKind::coverage:
-                compare_coverage(gate, plan, effect, values, first.evaluations_per_face, row);
+                compare_coverage(gate, plan, effect, values, first.samples_of_pair, row);
                 break;
             case GateKind::slope:
                 compare_slope(gate, plan, effect, estimates, row);

@@ -54,7 +54,7 @@ TrialMatrices load_matrices(const Store& store, std::size_t cell_index) {
     TrialMatrices trials;
     trials.numbers = estimates.trial_numbers;
     if (estimator_info(plan.spec.methods[cell.method]).observes == Observes::hits)
-        trials.rays = static_cast<double>(estimates.evaluations_per_face) * parts_a_surface(plan.scenes[cell.scene]);
+        trials.rays = static_cast<double>(estimates.samples_of_pair) * parts_a_surface(plan.scenes[cell.scene]);
     trials.direct.assign(estimates.trials(), Eigen::MatrixXd::Zero(faces, faces));
     for (Eigen::Index i = 0; i < faces; ++i) {
         for (Eigen::Index j = 0; j < faces; ++j) {

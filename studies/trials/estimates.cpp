@@ -28,7 +28,7 @@ std::vector<double> direct_values(const Store& store, std::size_t cell, const Di
 
 /// The number of rays from the face that was shot from, for each pair of faces.
 std::vector<double> rays_of_pairs(const CellEstimates& estimates, const Scene& scene, Completion completion) {
-    const Eigen::VectorXd of_face = static_cast<double>(estimates.evaluations_per_face) * parts_a_surface(scene);
+    const Eigen::VectorXd of_face = static_cast<double>(estimates.samples_of_pair) * parts_a_surface(scene);
     std::vector<double> rays;
     for (Eigen::Index i = 0; i < of_face.size(); ++i) {
         for (Eigen::Index j = 0; j < of_face.size(); ++j)
@@ -140,10 +140,11 @@ CellEstimates complete(const StudyPlan& plan, std::size_t cell_index, Completion
     estimates.faces = plan.scenes.faces(cell.scene).size();
     estimates.trial_numbers = std::move(direct.trial_numbers);
     estimates.factors = std::move(direct.values);
-    estimates.evaluations_per_face = cell.samples_per_patch;
+    estimates.samples_of_pair = cell.samples_per_patch;
     const PointsServe points = estimator_info(method).points;
-    if (points != PointsServe::scene) estimates.evaluations_per_face *= cell.subdivision.per_part();
-    if (points == PointsServe::pairs) estimates.evaluations_per_face *= cell.subdivision.per_part();
+    if (points != PointsServe::scene) estimates.samples_of_pair *= cell.subdivision.per_part();
+    if (points == PointsServe::pairs) estimates.samples_of_pair *= cell.subdivision.per_part();
+    estimates.evaluations_per_face = (evaluations_per_trial(plan, cell) + estimates.faces - 1) / estimates.faces;
     const bool shoots = estimator_info(method).observes == Observes::hits;
     const bool counted = shoots && has_one_surface_a_face(scene);
     if (shoots && plan.scenes.is_closed(cell.scene))
@@ -171,7 +172,7 @@ CellEstimates complete(const StudyPlan& plan, std::size_t cell_index, Completion
 stats::KnownLimits known_limits(const StudyPlan& plan, const CellEstimates& estimates, Quantity quantity) {
     const Cell& cell = plan.cells[estimates.cell];
     return known_limits(plan.spec.methods[cell.method], plan.scenes[cell.scene], cell.subdivision, quantity,
-                        estimates.evaluations_per_face, estimates.trials());
+                        estimates.samples_of_pair, estimates.trials());
 }
 
 std::vector<Quantity> distinct_pairs(std::size_t faces, Completion completion) {

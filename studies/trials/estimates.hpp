@@ -25,6 +25,8 @@ struct CellEstimates {
     std::uint64_t lost_rays = 0;
     /// N: rays from or points on a face, or kernel values of a face pair, in a trial; where surfaces have grids, of
     /// each part or pair of parts.
+    std::uint64_t samples_of_pair = 0;
+    /// What a trial costs: its evaluations, those of all pairs, over the number of faces; rounded up.
     std::uint64_t evaluations_per_face = 0;
 
     [[nodiscard]] const std::vector<double>& values(Quantity quantity) const;

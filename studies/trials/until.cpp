@@ -31,8 +31,7 @@ std::vector<PairPilot> pilots(const Store& store, std::size_t cell_index) {
         if (one.variance == VarianceStatus::finite && too_few_hits(estimates.lattice(pair), reference, size))
             one.variance = VarianceStatus::sparse;
         if (one.variance == VarianceStatus::finite) {
-            const auto limits =
-                known_limits(method, scene, cell.subdivision, pair, estimates.evaluations_per_face, size);
+            const auto limits = known_limits(method, scene, cell.subdivision, pair, estimates.samples_of_pair, size);
             one.pilot = stats::skewed_pilot_of(estimates.values(pair), size, limits.largest_part);
         }
     }

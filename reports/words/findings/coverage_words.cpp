@@ -87,14 +87,13 @@ std::string coverage_advice(const studies::StudyResults& results) {
             if (all.trials == 0) continue;
             const stats::Interval share = stats::clopper_pearson_interval(all, level);
             if (share.low < level - least_precision || share.high < level - tolerated) continue;
+            const Coverage& least = *range_of(results, rule, {}, fewest).rows.front();
             std::string text = fmt::format(
-                "from {} replicates on take {}{}: its {:g} % intervals contain the exact value in {:.1f} % of runs "
-                "({:.1f} to {:.1f})",
+                "from {} replicates on take {}{}: at worst its {:g} % intervals hold in {:.1f} % of runs ({:.1f} to "
+                "{:.1f})",
                 fewest, rule_in_words(rule), without_variance ? " where the variance is finite" : "", 100 * level,
-                100.0 * static_cast<double>(all.hits) / static_cast<double>(all.trials), 100 * share.low,
-                100 * share.high);
-            if (worst)
-                text += fmt::format("; {} in as few as {:.1f} %", rule_in_words(worst->second), 100 * worst->first);
+                100 * least.share(), 100 * least.coverage_interval.low, 100 * least.coverage_interval.high);
+            if (worst) text += fmt::format("; {} in {:.1f} %", rule_in_words(worst->second), 100 * worst->first);
             return text;
         }
     }

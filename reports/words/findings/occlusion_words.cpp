@@ -108,7 +108,7 @@ const std::pair<std::string, int>* most_often_least(const std::vector<std::pair<
 }
 
 /// How a method without a variance in some of these scenes is to be replaced there: "; where its variance is infinite,
-/// take Sobol' rays (least on 2 of 3 pairs)", by the method whose error is shown to be least in most of them; empty
+/// Sobol' rays (2 of 3)", by the method whose error is shown to be least in most of them; empty
 /// where no such method has one.
 std::string where_variance_is_infinite(const StudyResults& results, const std::vector<const HiddenPair*>& scenes,
                                        const std::string& taken) {
@@ -127,8 +127,8 @@ std::string where_variance_is_infinite(const StudyResults& results, const std::v
     }
     const auto most = std::ranges::max_element(least);
     if (most == least.end() || *most == 0) return {};
-    return fmt::format("; where its variance is infinite, take {} (least on {} of {})",
-                       methods[static_cast<std::size_t>(most - least.begin())].name, *most, counted(infinite, "pair"));
+    return fmt::format("; where its variance is infinite, {} ({} of {})",
+                       methods[static_cast<std::size_t>(most - least.begin())].name, *most, infinite);
 }
 
 }  // namespace
@@ -186,7 +186,7 @@ std::string occlusion_advice(const StudyResults& results) {
                            wins.empty() ? "any" : "most", pairs);
         if (!wins.empty()) text += fmt::format(" ({} on {})", wins.front().first, wins.front().second);
     } else {
-        text = fmt::format("take {} where a part is occluded: at about equal evaluations it errs least on {} of {}",
+        text = fmt::format("take {} where a part is occluded: at equal evaluations it errs least on {} of {}",
                            best->first, best->second, pairs);
         const std::string instead = where_variance_is_infinite(results, hidden, best->first);
         if (!instead.empty())
@@ -195,7 +195,7 @@ std::string occlusion_advice(const StudyResults& results) {
             text += fmt::format(", {} on {}", wins[1].first, wins[1].second);
     }
     if (best_open != nullptr && (best == nullptr || best_open->first != best->first))
-        text += fmt::format("; unoccluded ({}), take {}", counted(open.size(), "pair"), best_open->first);
+        text += fmt::format("; unoccluded, {} ({} of {})", best_open->first, best_open->second, open.size());
     return text;
 }
 

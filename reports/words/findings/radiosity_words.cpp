@@ -135,7 +135,7 @@ std::string patches_in_words(const studies::StudyPlan& plan) {
                                                        : std::string();
 }
 
-/// "; balancing the factors leaves at most 0.2 %" where it is shown to reduce the exitance error of every compared
+/// "; balanced factors leave at most 0.2 %" where it is shown to reduce the exitance error of every compared
 /// cell; empty otherwise.
 std::string balancing_in_words(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
@@ -159,7 +159,7 @@ std::string balancing_in_words(const studies::StudyResults& results) {
         if (high(balanced->settings[told]) >= low(own->settings[told])) return {};
         most = std::max(most, high(balanced->settings[told]));
     }
-    return fmt::format("; balancing the factors leaves at most {}", percent(most, 2));
+    return fmt::format("; balanced factors leave at most {}", percent(most, 2));
 }
 
 std::string bias_order_line(const studies::StudyResults& results) {
@@ -296,7 +296,7 @@ std::optional<LightInBrief> light_in_brief(const studies::StudyResults& results)
     for (const auto& [method, at] : errors)
         parts.push_back(fmt::format("{} with {}", light_error_text(*at), plan.spec.methods[method].name));
     brief.clause =
-        fmt::format("at reflectance {}{} the RMS exitance error is {}{}{}", brief.reflectance, patches_in_words(plan),
+        fmt::format("at reflectance {}{} the light errs by {}{}{}", brief.reflectance, patches_in_words(plan),
                     fmt::join(parts, ", "), plan.scenes.size() > 1 ? ", in the scene where it is largest" : "",
                     balancing_in_words(results));
     const auto [least, largest] = std::minmax_element(errors.begin(), errors.end(), [](const auto& a, const auto& b) {

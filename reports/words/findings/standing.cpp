@@ -4,6 +4,7 @@
 #include "reports/text/numbers.hpp"
 #include "reports/words/findings/equal_cost.hpp"
 #include "reports/words/findings/letters.hpp"
+#include "reports/words/findings/printed_errors.hpp"
 #include "studies/comparison/ranking.hpp"
 
 #include <fmt/format.h>
@@ -149,9 +150,12 @@ std::string times_smaller(const Ranked& first, const Ranked& second) {
 }
 
 /// Sets what is shown of the first: "errs 4.9 times less than PDM (4.6 to 5.2)", and at what cost.
-void set_margin(const studies::Analysis& findings, const Ranked& first, const Ranked& second, Ranking& ranking) {
+void set_margin(const StudyResults& results, const Ranked& first, const Ranked& second, Ranking& ranking) {
+    const studies::Analysis& findings = results.findings;
     const std::string times = fmt::format("{} times", brief(second.value / first.value));
-    const std::string interval = second.behind ? fmt::format(" ({})", times_smaller(first, second)) : std::string();
+    const std::string interval = second.behind ? fmt::format(" ({}{})", times_smaller(first, second),
+                                                             as_printed(results, first, second, ranking.pair_class))
+                                               : std::string();
     ranking.margin = fmt::format("errs {} less than {}{}", times, listed({ranking.methods[1].label}), interval);
     ranking.cost = at_what_cost(findings, first, second);
     ranking.again = times + interval;
@@ -223,7 +227,7 @@ void rank_errors_of_class(const StudyResults& results, Ranking& ranking, double 
             interval ? fmt::format(" ({} to {})", brief(interval->low), brief(interval->high)) : std::string(), size);
         ranking.said = fmt::format(" {} {}", listed(best.names), ranking.margin);
     } else if (best.one()) {
-        set_margin(findings, ranked[0], ranked[1], ranking);
+        set_margin(results, ranked[0], ranked[1], ranking);
         ranking.said = fmt::format(" {} has the smallest error{}, {} times smaller than {} ({})", listed(best.names),
                                    tables.empty() ? "" : " of the published methods",
                                    times_smaller(ranked[0], ranked[1]), listed({ranking.methods[1].label}), rmse);

@@ -156,8 +156,9 @@ BiasTally tally_of(const studies::Analysis& findings) {
         const bool is_clear = found.bias_finding == studies::BiasFinding::no_bias_found;
         tally.partly += is_clear && found.bias->untestable > 0 ? 1u : 0u;
         tally.shown += found.equivalence == studies::EquivalenceFinding::shown ? 1 : 0;
-        tally.detectable = std::max(tally.detectable, found.bias->minimum_detectable_bias.value_or(0));
+        if (const auto least = found.bias->minimum_detectable_bias) tally.detectable.push_back(*least);
     }
+    std::ranges::sort(tally.detectable);
     return tally;
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ff::reports {
 
@@ -29,7 +30,7 @@ struct BiasTally {
     std::map<studies::BiasFinding, std::size_t> found;  ///< how many have each
     std::size_t partly = 0;                  ///< cells without a bias found, some pairs of which have no test
     std::size_t shown = 0;                   ///< cells whose bias is shown to lie within the margin
-    double detectable = 0;                   ///< the largest of their minimum detectable biases
+    std::vector<double> detectable;          ///< their minimum detectable biases, ascending
     std::optional<std::uint64_t> lost_rays;  ///< lost rays of all cells; empty where no cell shoots rays
 };
 BiasTally tally_of(const studies::Analysis& findings);

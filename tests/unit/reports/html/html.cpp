@@ -86,6 +86,22 @@ TEST(HtmlReport, StaysBelowItsLimitForALargeStudy) {
     EXPECT_THAT(text, HasSubstr("more methods and sizes are in summary.csv."));
 }
 
+TEST(HtmlReport, FoldsTheRowsOfALongTable) {
+    std::string methods;
+    for (int i = 0; i < 30; ++i)
+        methods += fmt::format(
+            "[[method]]\nname = \"m{}\"\nsampler = \"random\"\nestimator = \"ray_shooting\"\n"
+            "samples_per_patch = 16\n",
+            i);
+    const auto results = studies::evaluate(test::run(test::plan_of(test::study_text("trials = 5", methods))));
+    const std::string text = html_report(results, shipped_templates());
+    EXPECT_THAT(text, HasSubstr("<summary>Methods and sizes: all 30 rows <small>30 rows: "));
+    const auto folded = text.find("Methods and sizes: all 30 rows");
+    const auto row = text.find("<th scope=\"row\">m12, ");
+    EXPECT_GT(row, folded);
+    EXPECT_LT(text.find("<th scope=\"row\">m11, "), folded);
+}
+
 TEST(HtmlReport, BeginsWithTheVerdict) {
     const Headline top = headline(test::published_results());
     const std::string text = html_report(test::published_results(), shipped_templates());

@@ -36,6 +36,21 @@ TEST(TextTable, WrapsAtTheWidthOfTheTerminal) {
               "random       0.1\n");
 }
 
+TEST(TextTable, FoldsTitlesBeforeItDividesRows) {
+    Table table{"sizes",
+                "",
+                "",
+                columns({"method", "size (patches per face)", ">bias found"}),
+                {{"sobol", "1 × 4096 rays", "none"}}};
+    EXPECT_EQ(text_table(table, {}),
+              "method  size (patches per face)  bias found\n"
+              "sobol   1 × 4096 rays                  none\n");
+    EXPECT_EQ(text_table(table, {Colour::none, 30}),
+              "        size (patches   bias\n"
+              "method  per face)      found\n"
+              "sobol   1 × 4096 rays   none\n");
+}
+
 TEST(TextTable, RepeatsTheTitleOfADividedGroup) {
     EXPECT_EQ(text_table(errors(), {Colour::none, 20}),
               "            RMSE\n"

@@ -113,6 +113,8 @@ studies::Coverage row(studies::IntervalRule rule, std::uint64_t replicates, std:
     row.intervals = 1000;
     row.covered = covered;
     row.short_of_nominal = is_short;
+    row.coverage_interval.low = 0.92;
+    row.coverage_interval.high = 0.96;
     return row;
 }
 
@@ -136,9 +138,8 @@ TEST(OcclusionAdvice, NamesAnotherMethodWhereTheVarianceIsInfinite) {
     results.occlusion.emplace_back().scenes = {hidden_pair(plan, false), hidden_pair(plan, false),
                                                hidden_pair(plan, true)};
     EXPECT_EQ(occlusion_advice(results),
-              "take " + first +
-                  " where a part is occluded: at about equal evaluations it errs least on 2 of 3 pairs; " +
-                  "where its variance is infinite, take " + second + " (least on 1 of 1 pair)");
+              "take " + first + " where a part is occluded: at equal evaluations it errs least on 2 of 3 pairs; " +
+                  "where its variance is infinite, " + second + " (1 of 1)");
     results.occlusion.front().scenes.back().decided = false;
     EXPECT_THAT(occlusion_advice(results), testing::Not(testing::HasSubstr(second)));
     // One win of many recommends nothing.
@@ -158,8 +159,8 @@ TEST(CoverageAdvice, RecommendsTheRuleNowhereShortWithTheFewestReplicates) {
                         row(IntervalRule::normal, 5, 710, true), row(IntervalRule::normal, 10, 850, true)};
     EXPECT_EQ(
         coverage_advice(results),
-        "from 10 replicates on take Student's t: its 95 % intervals contain the exact value in 94.0 % of runs (92.3 "
-        "to 95.4); normal quantiles in as few as 85.0 %");
+        "from 10 replicates on take Student's t: at worst its 95 % intervals hold in 94.0 % of runs (92.0 to 96.0); "
+        "normal quantiles in 85.0 %");
     results.coverage[1].covered = 900;
     EXPECT_THAT(coverage_advice(results), testing::StartsWith("no rule is shown to keep its 95 %"));
     results.coverage[1] = row(IntervalRule::student_t, 10, 12, false);

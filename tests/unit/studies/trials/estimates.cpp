@@ -29,6 +29,7 @@ TEST(DirectEstimates, AreHitsDividedByRaysAndCloseExactly) {
     const Store store = test::run(box_plan("direct"));
     const CellEstimates estimates = load_estimates(store, 0);
     ASSERT_EQ(estimates.trials(), 20u);
+    EXPECT_EQ(estimates.samples_of_pair, 500u);
     EXPECT_EQ(estimates.evaluations_per_face, 500u);
     EXPECT_EQ(estimates.lattice({pair, 3, 2}), 1.0 / 500);
     const auto hits = store.series(0, observable::hits, 3, 2).value;
@@ -87,11 +88,13 @@ TEST(Estimates, SumRowsAndTheirRelativeErrors) {
     EXPECT_EQ(estimates.lattice({pair, 3, 2}), std::nullopt);
 }
 
-TEST(Estimates, CountKernelValuesOfAFacePair) {
+TEST(Estimates, CountKernelValuesOfOneFacePairAndOfAllPairsOfAFace) {
     const StudyPlan plan = plan_of(test::study_text("trials = 2",
                                                     "[[method]]\nname = \"k\"\nsampler = \"random\"\nestimator = "
                                                     "\"area_kernel\"\npatches_per_face = 4\nsamples_per_patch = 3"));
-    EXPECT_EQ(load_estimates(test::run(plan), 0).evaluations_per_face, 4u * 4 * 3);
+    const CellEstimates estimates = load_estimates(test::run(plan), 0);
+    EXPECT_EQ(estimates.samples_of_pair, 4u * 4 * 3);
+    EXPECT_EQ(estimates.evaluations_per_face, 5u * 4 * 4 * 3);
 }
 
 TEST(Estimates, SumTo1BeforeCompletionForPointToPolygon) {
@@ -100,7 +103,7 @@ TEST(Estimates, SumTo1BeforeCompletionForPointToPolygon) {
         "patches_per_face = 4\nsamples_per_patch = 8\nallocation = \"face\"";
     const Store store = test::run(plan_of(test::study_text("trials = 3", lines)));
     const CellEstimates direct = load_estimates(store, 0);
-    EXPECT_EQ(direct.evaluations_per_face, 4u * 8);
+    EXPECT_EQ(direct.samples_of_pair, 4u * 8);
     const CellEstimates reciprocal = load_estimates(store, 0, Completion::reciprocal);
     for (std::size_t trial = 0; trial < 3; ++trial) {
         EXPECT_NEAR(direct.values({QuantityKind::row_sum, 6, 0})[trial], 1, 1e-14);

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "reports/pictures/pictures.hpp"
+
+#include <optional>
+#include <string>
+
+namespace ff::reports {
+
+/// The picture beside the answer in report.md: that of report.html where it can be drawn without a script, otherwise
+/// the ranking of the methods that the answer compares; empty where there is neither.
+std::optional<Picture> answer_picture(const studies::StudyResults& results);
+
+/// Such a picture as an SVG.
+std::string answer_svg(const Picture& picture);
+
+/// A row for each method with its value, interval, group, and tick of what was expected.
+/// @pre the picture is of kind "ranking"
+std::string ranking_svg(const Picture& picture);
+
+/// Whether `lines_svg` draws pictures of this kind: error against evaluations, or against the occluded fraction.
+bool has_lines_svg(const Picture& picture);
+
+/// A line for each method, with labels at the ends. @pre has_lines_svg
+std::string lines_svg(const Picture& picture);
+
+}  // namespace ff::reports

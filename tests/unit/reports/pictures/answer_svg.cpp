@@ -1,0 +1,77 @@
+#include "reports/pictures/answer_svg.hpp"
+
+#include "reports/words/answer.hpp"
+#include "tests/unit/reports/small_study.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <regex>
+#include <string>
+
+namespace ff::reports {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::ptrdiff_t count_of(const std::string& pattern, const std::string& text) {
+    const std::regex regex(pattern);
+    return std::distance(std::sregex_iterator(text.begin(), text.end(), regex), std::sregex_iterator());
+}
+
+TEST(AnswerSvg, DrawsTheLinesOfThePictureInTheHtmlReport) {
+    const auto picture = answer_picture(test::published_results());
+    ASSERT_TRUE(picture);
+    EXPECT_EQ(picture->kind, "convergence");
+    EXPECT_EQ(picture->id, lead_picture(test::published_results())->id);
+    const auto values = nlohmann::json::parse(picture->values);
+    std::ptrdiff_t printed = 0;
+    std::ptrdiff_t measured = 0;
+    for (const auto& row : values["rows"]) {
+        printed += row[1] == "printed" ? 1 : 0;
+        measured += row[1] == "RMSE" ? 1 : 0;
+    }
+    ASSERT_GT(printed, 0);
+    const std::string svg = answer_svg(*picture);
+    EXPECT_EQ(count_of("<circle[^>]*fill=\"none\"", svg), printed);
+    EXPECT_EQ(count_of("<circle[^>]*fill=\"#", svg), measured);
+    for (const auto& label : values["labels"])
+        EXPECT_THAT(svg, HasSubstr(">" + label["text"].get<std::string>() + "<"));
+    EXPECT_THAT(svg, Not(HasSubstr("nan")));
+    // Every mark lies within the drawing.
+    const std::regex place("<circle cx=\"([-0-9.]+)\" cy=\"([-0-9.]+)\"");
+    for (std::sregex_iterator each(svg.begin(), svg.end(), place); each != std::sregex_iterator(); ++each) {
+        EXPECT_GE(std::stod((*each)[1]), 60);
+        EXPECT_LE(std::stod((*each)[1]), 510);
+        EXPECT_GE(std::stod((*each)[2]), 10);
+        EXPECT_LE(std::stod((*each)[2]), 270);
+    }
+}
+
+TEST(AnswerSvg, DrawsRankingsWhereTheReportHasNoLines) {
+    const auto picture = answer_picture(test::small_results());
+    ASSERT_TRUE(picture);
+    EXPECT_EQ(picture->kind, "ranking");
+    EXPECT_EQ(answer_svg(*picture), ranking_svg(*picture));
+}
+
+/// The picture and the sentence above it count evaluations alike: a ray serves all faces, a value of the kernel a pair.
+TEST(AnswerSvg, ShowsTheCostThatTheAnswerNames) {
+    const studies::StudyResults& results = test::published_results();
+    const auto values = nlohmann::json::parse(answer_picture(results)->values);
+    const studies::StudyPlan& plan = results.findings.plan;
+    for (const auto& row : values["rows"]) {
+        if (row[1] != "RMSE") continue;
+        bool is_found = false;
+        for (const studies::Cell& cell : plan.cells) {
+            is_found = is_found || (plan.spec.methods[cell.method].name == row[0] &&
+                                    6 * row[3].get<std::uint64_t>() == evaluations_per_trial(plan, cell));
+        }
+        EXPECT_TRUE(is_found) << row;
+    }
+}
+
+}  // namespace
+}  // namespace ff::reports
