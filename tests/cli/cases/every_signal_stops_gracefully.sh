@@ -18,7 +18,7 @@ stopped() {
 for signal in INT TERM USR1; do
     until stopped $signal; do try_again "the study was over before it could be stopped"; done
     expect_status 130
-    expect_stderr "stopping: finishing the work units in progress"
+    expect_stderr "stopping: finishing 2 work units (two seconds at most); Ctrl-C again to drop them"
     expect_stderr "Run the same command again to resume."
     expect_in_file $signal/report.md "Partial result"
     ffstudy run "$folder/study.toml" --threads 2 --out $signal
