@@ -7,11 +7,12 @@ import {open, withChromium} from './page.mjs';
 
 const [chromium, results] = process.argv.slice(2);
 
-/** The rows of the picture beside the answer, by heading, from top to bottom. */
+/** The rows of the picture beside the answer, by heading, from top to bottom. On a phone headings are not on the axis. */
 async function ranking(page) {
-  const labels = await page.$$eval('header figure.picture .role-axis-label text', texts => texts
-    .map(text => ({text: text.textContent, bold: getComputedStyle(text).fontWeight >= 600, box: text.getBoundingClientRect()}))
-    .filter(({text, box}) => text && box.top < window.innerHeight)
+  const labels = await page.$$eval('header figure.picture .role-axis-label text, header figure.picture .mark-text text', texts => texts
+    .map(text => ({text: text.textContent, bold: getComputedStyle(text).fontWeight >= 600,
+                   axis: text.closest('.role-axis-label') !== null, box: text.getBoundingClientRect()}))
+    .filter(({text, bold, axis, box}) => text && (bold || axis) && box.top < window.innerHeight)
     .sort((a, b) => a.box.top - b.box.top));
   const blocks = {};
   let block;
