@@ -71,7 +71,7 @@ ExitCode merge(const MergeCommand& command) {
         say("note: {}; their content is the same.\n",
             units_in_words(outcome.doubled, plan.units.size(), "are in more than one store"));
     }
-    const auto [results, to_the_end] = evaluate_until_stopped(store);
+    const auto [results, to_the_end] = evaluate_until_stopped(store, command.quiet);
     write_results(out, {store, results, templates}, usual_formats);
     if (!command.quiet) {
         print_folded("{}\nResults: {}\n", reports::terminal_summary(results, style_of_stdout()),

@@ -44,7 +44,11 @@ ExitCode report(const ReportCommand& command) {
     expect_formats(formats);
     std::error_code missing;
     const auto store = open_results(file);
-    const auto [results, to_the_end] = evaluate_until_stopped(store);
+    const auto [results, to_the_end] = evaluate_until_stopped(store, command.quiet);
+    if (!to_the_end) {
+        say("No report is written.\n");
+        return ExitCode::interrupted;
+    }
     OutputFolder folder(out.empty() ? "." : out, owner_of(store.plan().spec));
     if (std::filesystem::equivalent(file, folder.path() / "results.sqlite", missing)) folder.inherit("study ");
     const bool draws = std::any_of(formats.begin(), formats.end(),
@@ -59,7 +63,7 @@ ExitCode report(const ReportCommand& command) {
     write_results(folder, {store, results, templates, command.pictures, command.quiet}, formats);
     if (!command.quiet)
         print_folded("{}\nResults: {}\n", reports::terminal_summary(results, style_of_stdout()), out.string());
-    return to_the_end ? ExitCode::passed : ExitCode::interrupted;
+    return ExitCode::passed;
 }
 
 struct FigureCommand {
@@ -162,7 +166,7 @@ ExitCode figure(const FigureCommand& command) {
     const auto style = style_of(command);
     const auto store = open_results(command.results);
     expect_methods(command.methods, store.plan());
-    const auto evaluated = evaluate_until_stopped(store);
+    const auto evaluated = evaluate_until_stopped(store, false);
     const auto all = reports::all_pictures(evaluated.results, {command.methods});
     if (command.picture.empty()) {
         list_pictures(all);

@@ -293,7 +293,7 @@ ExitCode run(const RunCommand& command) {
     seal(store, command.quiet);
     if (!request.shard.is_whole() && outcome == studies::RunOutcome::complete && !store.is_complete())
         return finish_shard(request.shard, out, command.quiet);
-    const auto [results, to_the_end] = evaluate_until_stopped(store);
+    const auto [results, to_the_end] = evaluate_until_stopped(store, command.quiet);
     write_results(out, {store, results, templates}, usual_formats);
     if (!command.quiet) {
         print_folded(reports::terminal_summary(results, style_of_stdout()));

@@ -18,6 +18,8 @@
 #include "reports/markdown/markdown.hpp"
 #include "reports/pictures/answer_svg.hpp"
 #include "reports/pictures/drawing_request.hpp"
+#include "reports/text/numbers.hpp"
+#include "studies/radiosity/cost.hpp"
 
 #include <fmt/format.h>
 
@@ -217,13 +219,18 @@ void seal(studies::Store& store, bool quiet) {
         "the folder again.\n");
 }
 
-Evaluated evaluate_until_stopped(const studies::Store& store) {
+Evaluated evaluate_until_stopped(const studies::Store& store, bool quiet) {
     const studies::StudyPlan& plan = store.plan();
     if (!plan.spec.radiosity || plan.spec.radiosity->patch_trials == 0) {
         end_on_signals(evaluated_again);
         return {studies::evaluate(store)};
     }
     stop_gracefully_on_signals();
+    constexpr double worth_a_note = 3;
+    const double seconds = studies::radiosity::seconds_needed(plan);
+    if (!quiet && seconds > worth_a_note)
+        say("Solving the systems between patches takes about {} on one core; Ctrl-C leaves out the rest.\n",
+            reports::seconds_in_words(seconds));
     Evaluated evaluated{studies::evaluate(store, &stop_flag())};
     end_on_signals(evaluated_again);
     if (!evaluated.results.radiosity) return evaluated;

@@ -74,7 +74,7 @@ struct Evaluated {
     studies::StudyResults results;
     bool to_the_end = true;
 };
-Evaluated evaluate_until_stopped(const studies::Store& store);
+Evaluated evaluate_until_stopped(const studies::Store& store, bool quiet);
 
 /// Writes the files of these formats into a folder, each completely or not at all.
 /// @throws IoError; UserError for an unknown format

@@ -1,5 +1,6 @@
 #include "app/terminal/output.hpp"
 
+#include "core/support/words.hpp"
 #include "reports/text/folding.hpp"
 #include "studies/readers/printable.hpp"
 
@@ -68,8 +69,9 @@ reports::TextStyle style_of_stdout() {
 std::size_t width_of(int descriptor) {
     winsize size{};
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): that is how ioctl is called
-    const bool known = ::ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-    return known ? size.ws_col : reports::TextStyle().width;
+    if (::ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) return size.ws_col;
+    const std::size_t columns = parse_bare_number<std::size_t>(variable("COLUMNS")).value_or(0);
+    return columns > 0 ? columns : reports::TextStyle().width;
 }
 
 }  // namespace ff::app

@@ -46,7 +46,7 @@ void say_more(fmt::format_string<T...> format, T&&... values) {
 /// @throws std::system_error where stdout cannot be written
 void print_verbatim(std::string_view text);
 
-/// Prints to stdout; on a terminal, lines that are wider than it are folded between words.
+/// Prints to stdout; lines that are wider than the terminal, or than COLUMNS, are folded between words.
 /// @throws std::system_error
 void print_folded(std::string_view text);
 
@@ -61,7 +61,7 @@ bool flush_output();
 /// Colours where stdout is a terminal that has them, unless NO_COLOR is set (no-color.org), and its width.
 reports::TextStyle style_of_stdout();
 
-/// Columns of the terminal behind a file descriptor; unlimited where it is not a terminal.
+/// Columns of the terminal behind a file descriptor; where it is not a terminal, those of COLUMNS, or unlimited.
 std::size_t width_of(int descriptor);
 
 }  // namespace ff::app

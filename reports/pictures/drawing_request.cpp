@@ -10,11 +10,12 @@ namespace ff::reports {
 std::vector<Picture> all_pictures(const studies::StudyResults& results, const MethodChoice& methods) {
     std::vector<Picture> all;
     const auto add = [&](std::vector<Picture> more) { std::move(more.begin(), more.end(), std::back_inserter(all)); };
-    auto lead = lead_picture(results, methods);
-    if (lead && lead->id == "answer") {  // others are among those below
+    if (auto lead = lead_picture(results, methods)) {
         auto alternatives = std::move(lead->alternatives);
+        const bool are_below = lead->id != "answer";  // under their own names, as the lead itself
+        lead->id = "answer";
         add({std::move(*lead)});
-        add(std::move(alternatives));
+        if (!are_below) add(std::move(alternatives));
     }
     add(pictures_by_size(results, methods));
     if (!methods.names.empty()) return all;  // the others are of one method, or of the scene

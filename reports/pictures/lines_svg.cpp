@@ -60,10 +60,15 @@ std::string grid(const LineChart& chart, const SvgAxis& x, const SvgAxis& y) {
                     "RMSE of a run");
 }
 
+/// Whether a logarithmic axis has a place for the row's error: it may be zero, or infinite, which is null.
+bool has_place(const PictureRow& row) {
+    return row.has("error") && row.number("error") > 0;
+}
+
 /// The mark of a point with its interval: hollow where it is printed.
 std::string mark_svg(const PictureRow& row, double x, const SvgAxis& y, const std::string& colour, bool printed) {
     std::string out;
-    if (row.has("low") && row.number("low") > 0)
+    if (row.has("low") && row.has("high") && row.number("low") > 0)
         out += svg_line(x, x, y.at(row.number("low")), y.at(row.number("high")),
                         fmt::format("stroke=\"{}\" stroke-width=\"2\"", colour));
     return out + fmt::format(
@@ -83,13 +88,18 @@ std::string lines_svg(const Picture& picture) {
     const Json values = Json::parse(picture.values);
     const auto columns = picture_columns(values);
     auto colours = picture_colours(values);
+    std::vector<PictureRow> rows;
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const Json& each : values["rows"]) {
-        const double x = PictureRow(columns, each).number(chart.x);
-        low = std::min(low, x);
-        high = std::max(high, x);
+        const PictureRow row(columns, each);
+        if (!has_place(row)) continue;
+        rows.push_back(row);
+        low = std::min(low, row.number(chart.x));
+        high = std::max(high, row.number(chart.x));
     }
+    if (rows.empty())
+        return svg_drawing(width, height, picture.description, svg_text(left, bottom / 2, "", "no error is finite"));
     const SvgAxis x(chart.log, low, high, left, right);
     const Json& range = values["scales"]["y"]["domain"];
     const SvgAxis y(true, range[0].get<double>(), range[1].get<double>(), bottom, top);
@@ -97,8 +107,7 @@ std::string lines_svg(const Picture& picture) {
     std::string marks;
     // Points of a method follow each other, by ascending size; what theory expects is a line of its own.
     std::map<std::pair<std::string, std::string>, std::string> paths;
-    for (const Json& each : values["rows"]) {
-        const PictureRow row(columns, each);
+    for (const PictureRow& row : rows) {
         const std::string method = row.words("method");
         const std::string role = columns.contains("role") ? row.words("role") : std::string();
         const double at = x.at(row.number(chart.x));

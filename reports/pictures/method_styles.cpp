@@ -3,9 +3,10 @@
 #include "core/estimators/added.hpp"
 #include "core/support/contract.hpp"
 #include "reports/words/answer.hpp"
-#include "reports/words/findings/standing.hpp"
+#include "reports/words/sizes.hpp"
 #include "samplers/outside/added.hpp"
 #include "samplers/sampler.hpp"
+#include "studies/comparison/ranking.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,25 +25,28 @@ constexpr std::array method_colours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", 
 constexpr std::array method_symbols{"circle",  "square",         "triangle-up",  "cross",
                                     "diamond", "triangle-right", "triangle-down"};
 constexpr const char* grey = "#8b8f94";
-constexpr std::size_t most_emphasised = 3;
+constexpr std::size_t most_compared = 3;
 
-/// Ranks of each method among slopes or, without any, among errors, added up over classes of pairs and scenes.
-std::map<std::size_t, double> mean_ranks(const StudyResults& results) {
-    const auto place = [](const Ranking& ranking) { return std::pair(ranking.scene, ranking.pair_class); };
-    std::map<std::pair<std::size_t, PairClass>, Ranking> rankings;
-    for (Ranking& each : rank_rates(results)) rankings.emplace(place(each), std::move(each));
-    for (Ranking& each : rank_compared_errors(results)) rankings.emplace(place(each), std::move(each));
-    std::map<std::size_t, std::pair<double, int>> sums;
-    for (const auto& [at, ranking] : rankings) {
-        for (std::size_t rank = 0; rank < ranking.methods.size(); ++rank) {
-            auto& [sum, count] = sums[ranking.methods[rank].method];
-            sum += static_cast<double>(rank);
-            ++count;
+/// The methods that captions of error against evaluations name, by how many of them do, the most first.
+std::vector<std::size_t> named_by_captions(const StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    const double level = studies::level_of_each_class(results.findings);
+    std::map<std::size_t, int> counts;
+    for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+        for (const PairClass pair_class : pair_classes) {
+            const auto all = size_series(results, scene, pair_class);
+            for (const bool deterministic : {true, false}) {
+                const auto cells = cells_of(plan, all, deterministic);
+                for (const studies::Ranked& each : studies::rank_errors(results.findings, cells, pair_class, level))
+                    counts[plan.cells[each.index].method] += each.group == 0 ? 1 : 0;
+            }
         }
     }
-    std::map<std::size_t, double> means;
-    for (const auto& [method, sum] : sums) means[method] = sum.first / sum.second;
-    return means;
+    std::erase_if(counts, [](const auto& method) { return method.second == 0; });
+    std::vector<std::size_t> methods;
+    for (const auto& [method, count] : counts) methods.push_back(method);
+    std::ranges::stable_sort(methods, std::ranges::greater(), [&](std::size_t method) { return counts.at(method); });
+    return methods;
 }
 
 /// Whether it comes from a user: points of a file, a program, a plug-in, a Python function.
@@ -58,7 +62,7 @@ std::set<std::size_t> coloured(const StudyResults& results, const MethodChoice& 
     }
     if (chosen.size() <= method_colours.size()) return chosen;
     chosen.clear();
-    std::size_t most = most_emphasised;
+    std::size_t most = most_compared;
     const auto add = [&](std::size_t method) {
         if (chosen.size() < most) chosen.insert(method);
     };
@@ -79,13 +83,7 @@ std::set<std::size_t> coloured(const StudyResults& results, const MethodChoice& 
             if (std::ranges::find(ranking.leaders, row.label) != ranking.leaders.end()) add(row.method);
         }
     }
-    const auto ranks = mean_ranks(results);
-    std::vector<std::size_t> order;
-    for (const auto& [method, rank] : ranks) order.push_back(method);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return ranks.at(a) < ranks.at(b); });
-    order.resize(std::min(order.size(), most_emphasised));
-    for (const std::size_t method : order) add(method);
+    for (const std::size_t method : named_by_captions(results)) add(method);
     return chosen;
 }
 
@@ -124,7 +122,7 @@ Json MethodLines::value_at(double height) const {
 
 void MethodLines::make_room(double value) {
     FF_EXPECT(axis_ == HeightAxis::linear || value > 0);
-    heights_.push_back(scaled(value));
+    if (std::isfinite(value)) heights_.push_back(scaled(value));
 }
 
 void MethodLines::begin(const std::string& method, const std::string& label) {
@@ -137,7 +135,7 @@ void MethodLines::add(double value, const std::optional<stats::Interval>& interv
         make_room(interval->low);
         make_room(interval->high);
     }
-    lines_.back().end = scaled(value);
+    if (std::isfinite(value)) lines_.back().end = scaled(value);
 }
 
 bool MethodLines::is_in_colour(const std::string& method) const {

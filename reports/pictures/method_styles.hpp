@@ -19,9 +19,13 @@ struct MethodStyle {
 };
 
 /// One for each method, in the order of the study. With more than seven, colours go to the ones that a publication
-/// compares, the random reference, the user's own, those that the answer names and the three best-ranked, as long as
-/// there are colours.
+/// compares, the random reference, the user's own, those that the answer names and those that most captions name, as
+/// long as there are colours.
 std::vector<MethodStyle> method_styles(const studies::StudyResults& results, const MethodChoice& choice = {});
+
+/// Error and efficiency against evaluations, over these methods, for each class of pairs.
+std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std::size_t scene,
+                                       const std::vector<MethodStyle>& styles, const MethodChoice& methods = {});
 
 /// The scales "color" and "shape" of a picture, for Picture::values.
 Json style_scales(const std::vector<MethodStyle>& styles);
@@ -35,7 +39,7 @@ class MethodLines {
   public:
     MethodLines(std::vector<MethodStyle> styles, HeightAxis axis) : styles_(std::move(styles)), axis_(axis) {}
 
-    /// Extends the axis to a drawn value. @pre positive on a logarithmic axis
+    /// Extends the axis to a drawn value; one that is infinite has no place. @pre positive on a logarithmic axis
     void make_room(double value);
     /// Begins a line. @param label  stands beside its last point
     void begin(const std::string& method, const std::string& label);

@@ -55,12 +55,8 @@ std::optional<Picture> publication_picture(const studies::StudyResults& results,
 /// Errors of all methods at about the same number of evaluations, smallest first; for each number that several have.
 std::vector<Picture> errors_at_sizes(const studies::StudyResults& results, const MethodChoice& methods = {});
 
-/// Error and efficiency against evaluations, over these methods, for each class of pairs.
-std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std::size_t scene,
-                                       const MethodChoice& methods = {});
-
-/// The same for all scenes; in a study of occlusion, error against the occluded fraction at the common number of
-/// evaluations instead, for each family of scenes.
+/// Error and efficiency against evaluations of all scenes; in a study of occlusion, error against the occluded fraction
+/// at the common number of samples of a pair instead, for each family of scenes.
 std::vector<Picture> pictures_by_size(const studies::StudyResults& results, const MethodChoice& methods = {});
 
 /// How often claimed errors hold; empty where no error is claimed but that of rays taken as random, and that holds.

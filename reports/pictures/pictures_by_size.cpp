@@ -53,17 +53,6 @@ bool add_expected(const SizeSeries& series, const studies::ClassSlopes& slopes, 
     return true;
 }
 
-std::vector<std::size_t> cells_of(const studies::StudyPlan& plan, const std::vector<SizeSeries>& all,
-                                  bool deterministic) {
-    std::vector<std::size_t> cells;
-    for (const SizeSeries& series : all) {
-        for (const SizePoint& point : series.points) {
-            if (plan.cells[point.found->cell].deterministic == deterministic) cells.push_back(point.found->cell);
-        }
-    }
-    return cells;
-}
-
 /// The single error of a deterministic method may be small by luck, so it is not compared with errors of samples.
 std::string smallest_errors_in_words(const studies::Analysis& findings, const std::vector<SizeSeries>& all,
                                      PairClass pair_class) {
@@ -156,7 +145,7 @@ std::optional<Picture> efficiency_picture(const studies::Analysis& findings, std
                                   place, 100 * findings.plan.spec.level));
 }
 
-/// Error against the occluded fraction at the common number of evaluations, for a family of scenes.
+/// Error against the occluded fraction at the common number of samples of a pair, for a family of scenes.
 Picture picture_of_series(const studies::StudyResults& results, const studies::OcclusionSeries& series,
                           const MethodChoice& methods) {
     const studies::StudyPlan& plan = results.findings.plan;
@@ -191,10 +180,9 @@ Picture picture_of_series(const studies::StudyResults& results, const studies::O
 }  // namespace
 
 std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std::size_t scene,
-                                       const MethodChoice& methods) {
+                                       const std::vector<MethodStyle>& styles, const MethodChoice& methods) {
     const studies::Analysis& findings = results.findings;
     std::vector<Picture> pictures;
-    const auto styles = method_styles(results, methods);
     for (const PairClass pair_class : pair_classes) {
         auto all = size_series(results, scene, pair_class);
         std::erase_if(all, [&](const SizeSeries& series) { return !methods.has(series.method); });
@@ -241,8 +229,10 @@ std::vector<Picture> pictures_by_size(const studies::StudyResults& results, cons
     for (const studies::OcclusionSeries& series : results.occlusion)
         pictures.push_back(picture_of_series(results, series, methods));
     if (!pictures.empty()) return pictures;
+    const auto styles = method_styles(results, methods);
     for (std::size_t scene = 0; scene < results.findings.plan.scenes.size(); ++scene) {
-        for (Picture& picture : pictures_of_scene(results, scene, methods)) pictures.push_back(std::move(picture));
+        for (Picture& picture : pictures_of_scene(results, scene, styles, methods))
+            pictures.push_back(std::move(picture));
     }
     return pictures;
 }

@@ -1,4 +1,4 @@
-#include "reports/pictures/picture_values.hpp"
+#include "reports/pictures/method_styles.hpp"
 #include "reports/pictures/pictures.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
@@ -221,9 +221,10 @@ std::vector<PictureGroup> picture_groups(const studies::StudyResults& results) {
         }
         if (!group.pictures.empty()) groups.push_back(std::move(group));
     }
+    const auto styles = method_styles(results);
     for (std::size_t scene = 0; !results.occlusion.empty() && scene < results.findings.plan.scenes.size(); ++scene) {
         PictureGroup group{fmt::format("Error against evaluations: {}", results.findings.plan.scenes.name(scene)),
-                           false, pictures_of_scene(results, scene)};
+                           false, pictures_of_scene(results, scene, styles)};
         if (!group.pictures.empty()) groups.push_back(std::move(group));
     }
     std::stable_partition(groups.begin(), groups.end(), [](const PictureGroup& group) { return group.compared; });

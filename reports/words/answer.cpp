@@ -4,12 +4,12 @@
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
 #include "reports/words/findings/advice.hpp"
+#include "reports/words/findings/choice_words.hpp"
 #include "reports/words/findings/coverage_words.hpp"
 #include "reports/words/findings/occlusion_words.hpp"
 #include "reports/words/findings/radiosity_words.hpp"
 #include "reports/words/published_words.hpp"
 #include "studies/analysis/configuration_estimates.hpp"
-#include "studies/comparison/decisions.hpp"
 
 #include <fmt/format.h>
 
@@ -106,61 +106,19 @@ std::optional<MainFinding> on_publication(const StudyResults& results) {
     return found;
 }
 
-/// The best methods on each kind of pairs, by the share of scenes.
 std::optional<MainFinding> on_choice(const StudyResults& results) {
-    const studies::StudyPlan& plan = results.findings.plan;
-    if (results.slopes.empty() || studies::configuration_estimates(results.findings).empty()) return std::nullopt;
-    MainFinding found{.subject = Subject::choice,
-                      .question = "Which method is best on which kind of pairs?",
-                      .title = "The methods that are best in the most cases.",
-                      .axis = "share of cases where nothing is shown to be better",
-                      .note = "At equal evaluations, of the cases (scenes and classes of pairs) that a method can do."};
-    // Kinds of pairs with the same best methods are one clause; those with the most cases come first.
-    struct Taken {
-        std::vector<std::string> methods;
-        std::vector<std::string> kinds;
-        std::size_t best = 0;
-        std::size_t ran = 0;
+    BestChoices best = best_choices(results);
+    if (best.clauses.empty()) return std::nullopt;
+    return MainFinding{
+        .subject = Subject::choice,
+        .question = "Which method is best on which kind of pairs?",
+        .clauses = std::move(best.clauses),
+        .shorter = std::move(best.shorter),
+        .rankings = std::move(best.rankings),
+        .title = "The methods that are best in the most cases.",
+        .axis = "share of cases where nothing is shown to be better",
+        .note = "At equal evaluations, of the cases (scenes and classes of pairs) that a method can do.",
     };
-    std::vector<Taken> all;
-    for (const studies::Decision& decision : studies::decide(plan, results.contests, studies::Equal::evaluations)) {
-        if (decision.choices.empty()) continue;
-        const studies::Choice& first = decision.choices.front();
-        const std::string kind(kind_in_words(decision.kind));
-        std::vector<std::string> names;
-        for (const studies::Choice& choice : decision.choices) {
-            if (choice.best == first.best && choice.ran == first.ran)
-                names.push_back(plan.spec.methods[choice.method].name);
-        }
-        auto same = std::ranges::find(all, names, &Taken::methods);
-        if (same == all.end()) {
-            same = all.insert(same, Taken());
-            same->methods = names;
-        }
-        same->kinds.push_back(kind);
-        same->best += first.best;
-        same->ran += first.ran;
-        Ranking& ranking = found.rankings.emplace_back();
-        ranking.heading = fmt::format("{} pairs", kind);
-        ranking.leaders = std::move(names);
-        constexpr std::size_t most_methods = 3;
-        for (const studies::Choice& choice : decision.choices) {
-            if (ranking.methods.size() == most_methods || choice.best == 0) break;
-            ranking.methods.push_back({plan.spec.methods[choice.method].name, choice.method, "",
-                                       static_cast<double>(choice.best) / static_cast<double>(choice.ran), std::nullopt,
-                                       std::nullopt, fmt::format("{} of {}", choice.best, choice.ran)});
-        }
-    }
-    std::ranges::stable_sort(all, std::ranges::greater(), &Taken::ran);
-    for (const Taken& taken : all) {
-        const bool begins = found.clauses.empty();
-        found.clauses.push_back(fmt::format("{}{} on {} pairs ({}{} of {}{})",
-                                            begins ? "at equal evaluations take " : "", listed(taken.methods, 3, "or"),
-                                            listed(taken.kinds), begins ? "best in " : "", taken.best, taken.ran,
-                                            begins ? " cases" : ""));
-    }
-    if (found.clauses.empty()) return std::nullopt;
-    return found;
 }
 
 std::vector<std::string> configuration_clauses(const StudyResults& results,
@@ -185,11 +143,11 @@ std::vector<std::string> configuration_clauses(const StudyResults& results,
     std::vector<std::string> clauses;
     const std::size_t sampled = agree + biased + untested;
     if (sampled > 0) {
-        clauses.push_back(
-            fmt::format("{} of {} sampled estimates show no bias, {} {} biased (a false alarm "
-                        "anywhere: {:g} %) and {} cannot be tested",
-                        agree, sampled, biased, biased == 1 ? "is" : "are",
-                        100 * (1 - results.findings.plan.spec.level), untested));
+        clauses.push_back(fmt::format(
+            "{} of {} sampled estimates show no bias, {} biased (a false alarm anywhere: {:g} %) and {} "
+            "cannot be tested",
+            agree, sampled, biased == 0 ? "none is" : fmt::format("{} {}", biased, biased == 1 ? "is" : "are"),
+            100 * (1 - results.findings.plan.spec.level), untested));
     }
     if (deterministic > 0) {
         clauses.push_back(
@@ -307,18 +265,18 @@ Answer answer(const StudyResults& results) {
     std::vector<std::string> sentences;
     if (results.published && results.published->tables.figures.empty() && !results.published->claims.empty())
         sentences.push_back(claims_sentence(*results.published));
-    std::string in_print;
-    if (results.published && results.published->audit.figures > 0) in_print = audit_verdict(results.published->audit);
+    std::vector<std::string> others = out.finding.caveats;
+    if (results.published && results.published->audit.figures > 0)
+        others.push_back(audit_verdict(results.published->audit));
     if (!out.finding.clauses.empty()) {
-        std::size_t beside = in_print.empty() ? 0 : words_of(in_print);
-        for (const auto& others : {sentences, out.finding.caveats}) {
-            for (const std::string& other : others) beside += words_of(other);
+        std::size_t beside = 0;
+        for (const auto& each : {sentences, others}) {
+            for (const std::string& other : each) beside += words_of(other);
         }
-        sentences.push_back(sentence(clauses_that_fit(out.finding, most_words - std::min(most_words, beside)),
-                                     most_words - std::min(most_words, beside)));
+        const std::size_t words = most_words - std::min(most_words, beside);
+        sentences.push_back(sentence(clauses_that_fit(out.finding, words), words));
     }
-    sentences.insert(sentences.end(), out.finding.caveats.begin(), out.finding.caveats.end());
-    if (!in_print.empty()) sentences.push_back(std::move(in_print));
+    sentences.insert(sentences.end(), others.begin(), others.end());
     if (sentences.empty())
         sentences.emplace_back(
             "Nothing is compared: trials are too few, squared errors vary without limit or not at all, or all is "

@@ -76,4 +76,15 @@ std::vector<SizeSeries> size_series(const studies::StudyResults& results, std::s
     return all;
 }
 
+std::vector<std::size_t> cells_of(const studies::StudyPlan& plan, const std::vector<SizeSeries>& all,
+                                  bool deterministic) {
+    std::vector<std::size_t> cells;
+    for (const SizeSeries& series : all) {
+        for (const SizePoint& point : series.points) {
+            if (plan.cells[point.found->cell].deterministic == deterministic) cells.push_back(point.found->cell);
+        }
+    }
+    return cells;
+}
+
 }  // namespace ff::reports

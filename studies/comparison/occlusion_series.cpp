@@ -26,8 +26,8 @@ std::vector<std::size_t> cells_of(const StudyPlan& plan, std::size_t scene, std:
     return cells;
 }
 
-/// The least of the largest numbers of evaluations of all methods in all scenes of a series.
-std::uint64_t common_evaluations(const Analysis& findings, const std::vector<std::size_t>& scenes) {
+/// The least of the largest numbers of samples of a pair, over all methods in all scenes of a series.
+std::uint64_t common_samples(const Analysis& findings, const std::vector<std::size_t>& scenes) {
     std::uint64_t common = std::numeric_limits<std::uint64_t>::max();
     for (const std::size_t scene : scenes) {
         for (std::size_t method = 0; method < findings.plan.spec.methods.size(); ++method) {
@@ -51,17 +51,17 @@ std::optional<Slope> slope_of(const std::vector<LadderSlopes>& slopes, std::size
     return std::nullopt;
 }
 
-/// Finds the error of a method on a pair in a scene, at the method's size closest to a number of evaluations.
+/// Finds the error of a method on a pair in a scene, at the method's size closest to a number of samples of it.
 class Errors {
   public:
     Errors(const CellReader& cells, const Analysis& findings, const std::vector<LadderSlopes>& slopes)
         : cells_(cells), findings_(findings), slopes_(slopes) {}
 
     [[nodiscard]] std::optional<PairError> of(std::size_t scene, std::size_t method, Quantity pair,
-                                              const KnownFactors& known, std::uint64_t evaluations) const {
+                                              const KnownFactors& known, std::uint64_t samples) const {
         const auto cells = cells_of(findings_.plan, scene, method);
         if (cells.empty()) return std::nullopt;
-        const double wanted = std::log(static_cast<double>(evaluations));
+        const double wanted = std::log(static_cast<double>(samples));
         const std::size_t cell = *std::ranges::min_element(cells, {}, [&](std::size_t each) {
             const auto has = std::max<std::uint64_t>(1, findings_.cells[each].samples_of_pair);
             return std::abs(std::log(static_cast<double>(has)) - wanted);
@@ -157,7 +157,7 @@ std::vector<OcclusionSeries> occlusion_series(const CellReader& cells, const Ana
             OcclusionSeries series{family.name,
                                    family.measure,
                                    {QuantityKind::form_factor, configuration.from + 1, configuration.to + 1},
-                                   common_evaluations(findings, members),
+                                   common_samples(findings, members),
                                    {}};
             for (const std::size_t scene : members) {
                 const KnownFactors known = known_factors(plan.scenes[scene]);
@@ -165,7 +165,7 @@ std::vector<OcclusionSeries> occlusion_series(const CellReader& cells, const Ana
                 if (!hidden) continue;
                 HiddenPair found{scene, *hidden, known.at(configuration.from, configuration.to).value(), {}, {}, false};
                 for (std::size_t method = 0; method < plan.spec.methods.size(); ++method)
-                    found.methods.push_back(errors.of(scene, method, series.pair, known, series.evaluations));
+                    found.methods.push_back(errors.of(scene, method, series.pair, known, series.samples));
                 series.scenes.push_back(std::move(found));
             }
             std::ranges::stable_sort(series.scenes, {}, &HiddenPair::hidden);

@@ -15,7 +15,7 @@ inline constexpr double slope_of_random = -0.5;
 
 /// The error of a method on one pair of faces.
 struct PairError {
-    std::size_t cell = 0;  ///< the method's size closest to the common number of evaluations
+    std::size_t cell = 0;  ///< the method's size closest to the common number of samples
     ClassError error;      ///< error on this pair alone
     /// Slope along the method's ladder: of the RMSE, or of the median where there is no variance.
     std::optional<Slope> slope;
@@ -48,12 +48,12 @@ struct OcclusionSeries {
     std::string_view family;
     std::string_view measure;
     Quantity pair;
-    std::uint64_t evaluations = 0;  ///< the common number that methods are compared at
+    std::uint64_t samples = 0;  ///< of the pair: the common number that methods are compared at
     std::vector<HiddenPair> scenes;
 };
 
-/// The effect of occlusion on the methods of a study, for each family (SceneFamily) of which it
-/// has at least three scenes. The common number of evaluations is the largest that all methods reach or come close to.
+/// The effect of occlusion on the methods of a study, for each family (SceneFamily) of which it has at least three
+/// scenes. The common number of samples of a pair is the largest that all methods reach or come close to.
 /// @param slopes  of all ladders; may be empty
 std::vector<OcclusionSeries> occlusion_series(const CellReader& cells, const Analysis& findings,
                                               const std::vector<LadderSlopes>& slopes);

@@ -145,8 +145,8 @@ std::string series_in_words(const StudyResults& results, const OcclusionSeries& 
         first = end;
     }
     const Scene& scene = results.findings.plan.scenes[series.scenes.front().scene];
-    return fmt::format("{}, {}, at about {} evaluations, least error by occluded fraction: {}.", series.family,
-                       quantity_label(scene, series.pair), series.evaluations, fmt::join(parts, "; "));
+    return fmt::format("{}, {}, at about {} samples, least error by occluded fraction: {}.", series.family,
+                       quantity_label(scene, series.pair), series.samples, fmt::join(parts, "; "));
 }
 
 std::vector<std::string> occlusion_in_brief(const StudyResults& results) {
@@ -179,15 +179,15 @@ std::string occlusion_advice(const StudyResults& results) {
     const auto wins_open = most_wins(results, open);
     const auto* const best = most_often_least(wins, hidden.size());
     const auto* const best_open = most_often_least(wins_open, open.size());
-    const std::string pairs = counted(hidden.size(), "pair");
     std::string text;
     if (best == nullptr) {
-        text = fmt::format("where a part is occluded, no method is shown to err least on {} of {}",
-                           wins.empty() ? "any" : "most", pairs);
+        text = fmt::format("no method is shown to err least on {} of {}", wins.empty() ? "any" : "most",
+                           counted(hidden.size(), "partly occluded pair"));
         if (!wins.empty()) text += fmt::format(" ({} on {})", wins.front().first, wins.front().second);
     } else {
-        text = fmt::format("take {} where a part is occluded: at equal evaluations it errs least on {} of {}",
-                           best->first, best->second, pairs);
+        text =
+            fmt::format("take {} on partly occluded pairs: at about equal samples per pair it errs least on {} of {}",
+                        best->first, best->second, hidden.size());
         const std::string instead = where_variance_is_infinite(results, hidden, best->first);
         if (!instead.empty())
             text += instead;
@@ -217,7 +217,7 @@ std::string occlusion_clause(const StudyResults& results) {
     const auto open = scenes_where(results, is_open);
     const auto hidden = scenes_where(results, std::mem_fn(&HiddenPair::is_partly_hidden));
     if (hidden.empty()) return {};
-    return fmt::format("with about the same number of evaluations, the smallest errors are those of {}{}",
+    return fmt::format("with about equal samples per pair, the smallest errors are those of {}{}",
                        tell(hidden, "partly occluded pair"),
                        open.empty() ? "" : fmt::format("; unoccluded, {}", tell(open, "pair")));
 }

@@ -66,6 +66,11 @@ foreign 'PK\x03\x04\0' "a ZIP archive (as .npz is)"
 foreign 'SQLite format 3\0' "a SQLite database"
 foreign '\x7fELF\0' "a program or a library"
 
+# A table of unknown columns.
+printf 'pair;value\n1-2;0.2\n' >"$folder/semicolons.csv"
+ffstudy check "$folder/semicolons.csv"
+expect_refused 2 "semicolons.csv: a file of estimates (expected a bands file). Run 'ffstudy check BANDS.toml --estimates"
+
 refuse study run {}
 refuse study radiosity {}
 refuse bands check {}

@@ -40,6 +40,18 @@ expect_status 0
 ! grep -q "Stopped early" lit/report.md || fail "the report still lacks systems"
 cut -d, -f 2-10 lit/matrices.csv | grep ",patches," >/dev/null || fail "no systems between patches"
 
+# A report that is stopped leaves a complete one as it is. It may be over before the signal arrives.
+cp -r lit complete
+report_stopped() {
+    begin report lit
+    wait_until is_over_or takes_signals
+    kill -INT "$process" 2>/dev/null || true
+    finish
+    [ "$status" = 130 ] && grep "No report is written." "$folder/stderr" >/dev/null
+}
+until report_stopped; do try_again "the report was written before it could be stopped"; done
+cmp lit/report.html complete/report.html || fail "the complete report is gone"
+
 # What was asked for between patches is written for other programs, and only that.
 ffstudy report lit --format patch_systems --out files
 expect_status 0

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <limits>
 #include <regex>
 #include <string>
 
@@ -71,6 +73,24 @@ TEST(AnswerSvg, ShowsTheCostThatTheAnswerNames) {
         }
         EXPECT_TRUE(is_found) << row;
     }
+}
+
+/// Errors may be infinite where a program returns huge values: they have no place on an axis.
+TEST(AnswerSvg, LeavesOutErrorsThatAreInfinite) {
+    studies::StudyResults results = test::published_results();
+    const auto marks = [&] { return count_of("<circle[^>]*fill=\"#", answer_svg(*answer_picture(results))); };
+    const std::ptrdiff_t all = marks();
+    const auto make_infinite = [](studies::CellAnalysis& cell) {
+        for (studies::ClassError& error : cell.class_errors) {
+            error.rmse = std::numeric_limits<double>::infinity();
+            error.interval.reset();
+        }
+    };
+    make_infinite(results.findings.cells.front());
+    EXPECT_EQ(marks(), all - 1);
+    std::ranges::for_each(results.findings.cells, make_infinite);
+    const std::string svg = answer_svg(*publication_picture(results));
+    EXPECT_THAT(svg, Not(testing::ContainsRegex("nan|inf[^i]")));
 }
 
 }  // namespace

@@ -138,7 +138,7 @@ TEST(OcclusionAdvice, NamesAnotherMethodWhereTheVarianceIsInfinite) {
     results.occlusion.emplace_back().scenes = {hidden_pair(plan, false), hidden_pair(plan, false),
                                                hidden_pair(plan, true)};
     EXPECT_EQ(occlusion_advice(results),
-              "take " + first + " where a part is occluded: at equal evaluations it errs least on 2 of 3 pairs; " +
+              "take " + first + " on partly occluded pairs: at about equal samples per pair it errs least on 2 of 3; " +
                   "where its variance is infinite, " + second + " (1 of 1)");
     results.occlusion.front().scenes.back().decided = false;
     EXPECT_THAT(occlusion_advice(results), testing::Not(testing::HasSubstr(second)));
@@ -146,9 +146,9 @@ TEST(OcclusionAdvice, NamesAnotherMethodWhereTheVarianceIsInfinite) {
     auto& pairs = results.occlusion.front().scenes;
     pairs[1].decided = false;
     EXPECT_EQ(occlusion_advice(results),
-              "where a part is occluded, no method is shown to err least on most of 3 pairs (" + first + " on 1)");
+              "no method is shown to err least on most of 3 partly occluded pairs (" + first + " on 1)");
     pairs[0].decided = false;
-    EXPECT_EQ(occlusion_advice(results), "where a part is occluded, no method is shown to err least on any of 3 pairs");
+    EXPECT_EQ(occlusion_advice(results), "no method is shown to err least on any of 3 partly occluded pairs");
 }
 
 TEST(CoverageAdvice, RecommendsTheRuleNowhereShortWithTheFewestReplicates) {

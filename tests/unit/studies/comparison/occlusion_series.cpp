@@ -57,7 +57,7 @@ TEST(OcclusionSeries, FindsTheSmallestErrorAsOcclusionGrows) {
     ASSERT_EQ(all.size(), 1u);
     const OcclusionSeries& series = all.front();
     EXPECT_EQ(series.family, "squares_blocked");
-    EXPECT_EQ(series.evaluations, 4096u);
+    EXPECT_EQ(series.samples, 4096u);
     ASSERT_EQ(series.scenes.size(), 3u);
     EXPECT_EQ(series.scenes[0].hidden, 0);
     EXPECT_LT(series.scenes[1].hidden, series.scenes[2].hidden);
