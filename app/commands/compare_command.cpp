@@ -99,6 +99,10 @@ ExitCode compare(const CompareCommand& command) {
         print_folded(reports::comparison_text(comparison, style_of_stdout()));
         if (!command.out.empty()) print_folded("\nResults: {}\n", (command.out / "comparison.html").string());
     }
+    if (comparison.cells.empty()) {
+        const studies::Lead lead = comparison.lead_at_equal_evaluations();
+        return lead.first + lead.second > 0 ? ExitCode::failed : ExitCode::inconclusive;
+    }
     if (comparison.count(studies::Likeness::different) > 0) return ExitCode::failed;
     return comparison.count(studies::Likeness::untestable) > 0 ? ExitCode::inconclusive : ExitCode::passed;
 }

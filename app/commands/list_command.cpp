@@ -81,8 +81,7 @@ Explanation explanation(const Configuration& configuration) {
                                                : fmt::format("none: {}", no_scene);
     return {"configuration", std::string(configuration.name), std::string(configuration.summary),
             fmt::format("Exact:    {}\nFrom:     {}\nOccluded: {}\nScene:    {}", exact_digits(configuration),
-                        configuration.formula, configuration.occluded ? "in part, something stands in between" : "no",
-                        scene),
+                        configuration.formula, configuration.occluded ? "in part" : "no", scene),
             std::string(configuration.reference)};
 }
 

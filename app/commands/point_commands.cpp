@@ -131,7 +131,7 @@ void add_points(ProgramDefinition& program) {
 
 void add_check_sampler(ProgramDefinition& program) {
     const auto [sub, command] = program.command<CheckSamplerCommand>(
-        checks, "check-sampler", "Check what any sampler has to keep: pass, fail, inconclusive", check_sampler);
+        checks, "check-sampler", "Check the properties that every sampler must have", check_sampler);
     sub.option("SAMPLER", command.sampler, "A sampler, file:PATH#RANDOMISE or command:PROGRAM", {.is_required = true});
     sub.option("--n", command.points, "Points (default: about 256, or those of the largest file)");
     sub.option("--d", command.dimension, "Coordinates of a point (default: all, at most 4)");

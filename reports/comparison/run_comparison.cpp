@@ -1,6 +1,7 @@
 #include "reports/comparison/run_comparison.hpp"
 
 #include "reports/comparison/comparison_words.hpp"
+#include "reports/comparison/equal_cost.hpp"
 #include "reports/html/html_view.hpp"
 #include "reports/markdown/markdown_text.hpp"
 #include "reports/templates/mustache.hpp"
@@ -119,6 +120,7 @@ void add_unmatched(const studies::Analysis& findings, const std::vector<std::siz
 
 /// Sizes have the same numbers, which count rays of a patch in one method and points of a pair of patches in another.
 std::string costs_in_words(const RunComparison& comparison) {
+    if (comparison.lead_at_equal_evaluations().compared > 0) return {};  // a table of its own says more
     for (const CellComparison& compared : comparison.cells) {
         const studies::Cell& first = comparison.first.plan.cells[compared.first];
         const studies::Cell& second = comparison.second.plan.cells[compared.second];
@@ -141,8 +143,12 @@ std::vector<std::string> remarks(const RunComparison& comparison) {
                             : fmt::format("Scene '{}' has other faces in each run ({}): not compared.", scene.name,
                                           scene.difference));
     }
-    add_unmatched(comparison.first, comparison.only_first, comparison.names[0], lines);
-    add_unmatched(comparison.second, comparison.only_second, comparison.names[1], lines);
+    // Of two methods without a common size nothing is missing.
+    const bool by_size = !comparison.cells.empty();
+    add_unmatched(comparison.first, by_size ? comparison.only_first : std::vector<std::size_t>(), comparison.names[0],
+                  lines);
+    add_unmatched(comparison.second, by_size ? comparison.only_second : std::vector<std::size_t>(), comparison.names[1],
+                  lines);
     if (std::string costs = costs_in_words(comparison); !costs.empty()) lines.push_back(std::move(costs));
     return lines;
 }
@@ -154,41 +160,64 @@ std::string description(const RunComparison& comparison, std::size_t run) {
 }
 
 /// Which run is better, and by how much; empty where no RMSE is compared.
-std::string answer(const RunComparison& comparison) {
-    const studies::Lead lead = comparison.lead();
+std::string answer(const RunComparison& comparison, const studies::Lead& lead) {
     const auto& [first, second] = comparison.names;
-    if (!lead.ratios) return {};
+    const std::string_view what = comparison.bouts.empty() ? "run" : "method";
+    if (lead.compared == 0) return {};
     const auto range = [](const stats::Interval& interval) {
         return fmt::format("{} to {}", brief(interval.low), brief(interval.high));
     };
-    if (!lead.decided) {
-        return fmt::format("Neither run is shown to be better: the RMSE of {} is {} times that of {}{}. ", second,
+    if (lead.first + lead.second == 0) {
+        return fmt::format("Neither {} is shown to be better: the RMSE of {} is {} times that of {}{}. ", what, second,
                            range(*lead.ratios), first,
                            lead.compared == 1 ? "" : fmt::format(" in each of {} comparisons", lead.compared));
     }
     if (lead.first > 0 && lead.second > 0) {
-        return fmt::format("Neither run is better throughout: of {} RMSEs {} are smaller in {}, and {} in {}. ",
-                           lead.compared, lead.first, first, lead.second, second);
+        return fmt::format("Neither {} is better throughout: of {} RMSEs {} smaller in {}, and {} in {}. ", what,
+                           lead.compared, fmt::format("{} {}", lead.first, lead.first == 1 ? "is" : "are"), first,
+                           lead.second, second);
     }
     const bool first_leads = lead.first > 0;
+    const std::string& better = first_leads ? first : second;
     const std::size_t led = lead.first + lead.second;
     std::string where = fmt::format(" in {} of {} comparisons (no difference shown in the others)", led, lead.compared);
     if (led == lead.compared) where = led == 1 ? "" : fmt::format(" in all {} comparisons", led);
-    return fmt::format("{} is better: its RMSE is {} times smaller than that of {}{}. ", first_leads ? first : second,
-                       range(*lead.decided), first_leads ? second : first, where);
+    if (!lead.decided) return fmt::format("{} is better: it is exact{}. ", better, where);
+    return fmt::format("{} is better: its RMSE is {} times smaller than that of {}{}. ", better, range(*lead.decided),
+                       first_leads ? second : first, where);
+}
+
+/// The same, of two methods at equal evaluations where they are compared so.
+std::string answer_at_equal_cost(const RunComparison& comparison) {
+    const studies::Lead lead = comparison.lead_at_equal_evaluations();
+    if (lead.compared == 0) return answer(comparison, comparison.lead());
+    return "At equal evaluations: " + answer(comparison, lead);
 }
 
 std::string verdict(const RunComparison& comparison) {
     const std::size_t untestable = comparison.count(Likeness::untestable);
     const std::size_t different = comparison.count(Likeness::different);
+    std::string said = answer_at_equal_cost(comparison);
+    if (comparison.cells.empty()) {
+        if (said.empty()) return "The methods have no cost in common at which both have an error.";
+        said.pop_back();  // the blank
+        return said;
+    }
     if (comparison.cells.size() == 1)
-        return fmt::format("{}The only method and size in both runs {}.", answer(comparison),
+        return fmt::format("{}The only method and size in both runs {}.", said,
                            different == 1    ? "differs"
                            : untestable == 1 ? "cannot be tested"
                                              : "shows no difference");
-    return fmt::format("{}Of {} methods and sizes in both runs {} {}{}.", answer(comparison), comparison.cells.size(),
-                       different, different == 1 ? "differs" : "differ",
+    return fmt::format("{}Of {} methods and sizes in both runs {} {}{}.", said, comparison.cells.size(), different,
+                       different == 1 ? "differs" : "differ",
                        untestable == 0 ? "" : fmt::format("; {} cannot be tested", untestable));
+}
+
+/// Those that have rows.
+std::vector<Table> tables_of(const RunComparison& comparison) {
+    std::vector<Table> tables{equal_cost_table(comparison), cells_table(comparison), differences_table(comparison)};
+    std::erase_if(tables, [](const Table& table) { return table.rows.empty(); });
+    return tables;
 }
 
 }  // namespace
@@ -197,13 +226,16 @@ std::string comparison_text(const RunComparison& comparison, const TextStyle& st
     std::string out =
         fmt::format("{}\n{}\n\n{}\n\n", description(comparison, 0), description(comparison, 1), verdict(comparison));
     if (const std::string plot = ratio_plot(comparison); !plot.empty()) out += plot + '\n';
-    out += text_table(cells_table(comparison), style);
-    if (!comparison.differences.empty()) {
-        const Table differences = differences_table(comparison);
-        out += fmt::format("\n{}\n{}", differences.title, text_table(differences, style));
+    bool begins = true;
+    for (const Table& table : tables_of(comparison)) {
+        // The first table needs no title where it is the one of methods.
+        if (!begins || table.id != "runs") out += fmt::format("{}{}\n", begins ? "" : "\n", table.title);
+        out += text_table(table, style);
+        begins = false;
     }
     const auto lines = remarks(comparison);
     if (!lines.empty()) out += fmt::format("\n{}\n", fmt::join(lines, "\n"));
+    if (comparison.cells.empty()) return out;
     return out + fmt::format("\n{}{}\n", tests_in_words(comparison),
                              comparison.tests == 0 ? "" : "; intervals hold together too");
 }
@@ -212,8 +244,7 @@ std::string comparison_markdown(const RunComparison& comparison) {
     std::string out = fmt::format("# Two runs side by side\n\n**{}**\n\n- {}\n- {}\n\n", verdict(comparison),
                                   description(comparison, 0), description(comparison, 1));
     if (const std::string plot = ratio_plot(comparison); !plot.empty()) out += fmt::format("```\n{}```\n\n", plot);
-    for (const Table& table : {cells_table(comparison), differences_table(comparison)}) {
-        if (table.rows.empty()) continue;
+    for (const Table& table : tables_of(comparison)) {
         out += fmt::format("## {}\n\n", table.title);
         if (!table.note.empty()) out += table.note + "\n\n";
         out += markdown_table(table);
@@ -244,17 +275,20 @@ std::string comparison_json(const RunComparison& comparison) {
                          {"testable", compared.likeness != Likeness::untestable},
                          {"rmse", std::move(ratios)}});
     }
-    const Json whole{{"schema", "ffstudy.comparison/1"}, {"runs", comparison.names},  {"verdict", verdict(comparison)},
-                     {"level", comparison.level},        {"tests", comparison.tests}, {"cells", std::move(cells)},
+    const Json whole{{"schema", "ffstudy.comparison/1"},
+                     {"runs", comparison.names},
+                     {"verdict", verdict(comparison)},
+                     {"level", comparison.level},
+                     {"tests", comparison.tests},
+                     {"cells", std::move(cells)},
+                     {"equal_cost", equal_cost_json(comparison)},
                      {"remarks", remarks(comparison)}};
     return whole.dump(2);
 }
 
 std::string comparison_html(const RunComparison& comparison, const Templates& templates) {
     Json tables = Json::array();
-    for (const Table& table : {cells_table(comparison), differences_table(comparison)}) {
-        if (!table.rows.empty()) tables.push_back(table_view(table));
-    }
+    for (const Table& table : tables_of(comparison)) tables.push_back(table_view(table));
     const std::vector<std::string_view> styles{templates.text("report.css")};
     return fill_template(templates, "comparison",
                          {{"policy", security_policy(styles, {})},

@@ -51,7 +51,7 @@ std::string_view table_of(Subject subject) {
         case Subject::configurations:
             return "agreement";
         case Subject::rates:
-            return "convergence";
+            return "rates";
         case Subject::variances:
             return "reductions";
         case Subject::light:
@@ -85,6 +85,7 @@ void add_tables(const studies::StudyResults& results, Subject subject, Json& vie
     view["rests_on_whole"] = Json();
     if (subject == Subject::light) set_main_table(told_light_table(results), view);
     if (subject == Subject::coverage) set_main_table(least_coverage_table(results), view);
+    if (subject == Subject::rates) set_main_table(rates_table(results), view);
     if (subject == Subject::configurations) set_main_table(agreement_table(results), view);
     for (const Table& table :
          {methods_table(results), occlusion_table(results), configurations_table(results), convergence_table(results),
@@ -151,10 +152,23 @@ Json pictures_view(const std::vector<Picture>& pictures) {
     return list;
 }
 
+/// What pictures show, by the beginnings of their titles: "4 pictures: Error against evaluations, Efficiency against
+/// evaluations".
+std::string contents_of(const std::vector<Picture>& pictures) {
+    constexpr std::size_t most = 4;
+    std::vector<std::string> kinds;
+    for (const Picture& picture : pictures) {
+        std::string kind = picture.title.substr(0, picture.title.find_first_of(",:."));
+        if (kinds.size() < most && std::ranges::find(kinds, kind) == kinds.end()) kinds.push_back(std::move(kind));
+    }
+    return fmt::format("{}: {}", counted(pictures.size(), "picture"), fmt::join(kinds, ", "));
+}
+
 Json radiosity_view(const studies::StudyResults& results) {
     Json tables = Json::array();
     for (const Table& table : radiosity_tables(results)) tables.push_back(table_view(table));
-    return {{"lines", texts_view(radiosity_in_brief(results))}, {"tables", std::move(tables)}};
+    const auto lines = radiosity_in_brief(results);
+    return {{"count", counted(lines.size(), "finding")}, {"lines", texts_view(lines)}, {"tables", std::move(tables)}};
 }
 
 /// The specifications of the pictures that are shown.
@@ -274,13 +288,12 @@ void add_pictures(const PagePictures& page, const Templates& templates, Json& vi
     view["lead"] = page.lead ? picture_view(*page.lead) : Json();
     view["pictured"] = !page.pictures.empty() || !page.groups.empty() || page.left_out > 0;
     view["pictures"] = pictures_view(page.pictures);
-    std::vector<std::string> titles;
-    for (const Picture& picture : page.pictures) titles.push_back(picture.title);
-    view["all_pictures"] =
-        titles.empty() ? Json() : Json(fmt::format("All methods together: {}", fmt::join(titles, " ")));
+    view["all_pictures"] = page.pictures.empty() ? Json() : Json(contents_of(page.pictures));
     view["groups"] = Json::array();
     for (const PictureGroup& group : page.groups) {
-        view["groups"].push_back({{"title", group.title}, {"pictures", pictures_view(group.pictures)}});
+        view["groups"].push_back({{"title", group.title},
+                                  {"contents", contents_of(group.pictures)},
+                                  {"pictures", pictures_view(group.pictures)}});
     }
     view["runtime"] = templates.text("vega.js");
     auto pictures = page.pictures;

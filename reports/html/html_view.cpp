@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace ff::reports {
 namespace {
@@ -116,14 +117,43 @@ Json headline_view(const Headline& headline) {
 
 namespace {
 
-/// "35 rows: pairs, verdict, RMSE slope, interval": what a folded table holds.
+/// What is in the tables of these names, and in those whose names go on with -.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 20> contents_of_tables{{
+    {"methods", "error, bias and closure of every method and size"},
+    {"convergence", "slopes, their intervals, and the rates that theory expects"},
+    {"side-by-side", "ratios of errors at equal cost, and of evaluations at equal error"},
+    {"best-of-scenes", "the best methods on each scene, and the next"},
+    {"decisions", "the best methods on each kind of pairs"},
+    {"configurations", "every estimate beside its exact value"},
+    {"agreement", "how many estimates of each method agree"},
+    {"occlusion", "the error of each method by occluded fraction"},
+    {"error-law", "the constant and the exponent of each law"},
+    {"reductions", "how many times less variance than random points"},
+    {"coverage", "the share of intervals that contain the exact value"},
+    {"least-coverage", "the worst share of each rule"},
+    {"spreads", "the spread of trials beside that of independent rays"},
+    {"evenness", "how measures of evenness correlate with errors"},
+    {"claimed-errors", "the share of runs whose error stays within what is stated"},
+    {"claims", "verdict on each claim, with its evidence"},
+    {"radiosity-matrices", "row sums, reciprocity and signs of the matrices"},
+    {"radiosity-exitance", "errors, energy lost and condition, by reflectance"},
+    {"radiosity-solvers", "iterations of each solver, by reflectance"},
+    {"radiosity-bias", "how the bias falls with the size"},
+}};
+
+/// What a folded table holds: "35 rows: how many times less variance than random points". Of other tables, such as
+/// those of a publication, the titles of the first columns.
 std::string inside(const Table& table) {
     constexpr std::size_t most_titles = 4;
+    const std::string rows = counted(table.rows.size(), "row");
+    for (const auto& [id, contents] : contents_of_tables) {
+        if (table.id == id || table.id.starts_with(std::string(id) + "-")) return fmt::format("{}: {}", rows, contents);
+    }
     std::vector<std::string> titles;
     for (std::size_t i = 1; i < table.columns.size() && titles.size() < most_titles; ++i) {
         if (!table.columns[i].title.empty()) titles.push_back(table.columns[i].title);
     }
-    return fmt::format("{}: {}", counted(table.rows.size(), "row"), fmt::join(titles, ", "));
+    return fmt::format("{}: {}", rows, fmt::join(titles, ", "));
 }
 
 }  // namespace

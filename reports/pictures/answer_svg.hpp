@@ -18,7 +18,7 @@ std::string answer_svg(const Picture& picture);
 /// @pre the picture is of kind "ranking"
 std::string ranking_svg(const Picture& picture);
 
-/// Whether `lines_svg` draws pictures of this kind: error against evaluations, or against the occluded fraction.
+/// Whether `lines_svg` draws pictures of this kind: error against evaluations, the occluded fraction or reflectance.
 bool has_lines_svg(const Picture& picture);
 
 /// A line for each method, with labels at the ends. @pre has_lines_svg

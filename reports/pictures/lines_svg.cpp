@@ -18,11 +18,17 @@ namespace {
 struct LineChart {
     std::string_view kind;
     const char* x;
-    bool log;  ///< the x axis
+    bool log;       ///< the x axis
+    bool reversed;  ///< the x axis, on which 1 - value is written
     std::string_view x_title;
+    const char* y;
+    std::string_view y_title;
 };
-constexpr std::array line_charts{LineChart{"convergence", "evaluations", true, "evaluations per face"},
-                                 LineChart{"occlusion", "hidden", false, "occluded fraction"}};
+constexpr std::array line_charts{
+    LineChart{"convergence", "evaluations", true, false, "evaluations per face", "error", "RMSE of a run"},
+    LineChart{"occlusion", "hidden", false, false, "occluded fraction", "error", "RMSE of a run"},
+    LineChart{"light_errors", "absorbed", true, true, "reflectance of all faces", "rmse",
+              "relative RMSE of the exitance"}};
 
 constexpr double width = 640;
 constexpr double left = 60;
@@ -47,7 +53,8 @@ std::string grid(const LineChart& chart, const SvgAxis& x, const SvgAxis& y) {
     std::string out;
     for (const double tick : x.ticks()) {
         out += svg_line(x.at(tick), x.at(tick), top, bottom, "stroke=\"#d0d0d0\"");
-        out += svg_text(x.at(tick), bottom + 16, " text-anchor=\"middle\"", tick_text(tick));
+        out += svg_text(x.at(tick), bottom + 16, " text-anchor=\"middle\"",
+                        chart.reversed ? fmt::format("{:.6g}", 1 - tick) : tick_text(tick));
     }
     for (const double tick : y.ticks()) {
         out += svg_line(left, right, y.at(tick), y.at(tick), "stroke=\"#d0d0d0\"");
@@ -57,24 +64,30 @@ std::string grid(const LineChart& chart, const SvgAxis& x, const SvgAxis& y) {
     return out +
            svg_text(14, (top + bottom) / 2,
                     fmt::format(" text-anchor=\"middle\" transform=\"rotate(-90 14 {:.1f})\"", (top + bottom) / 2),
-                    "RMSE of a run");
+                    chart.y_title);
 }
 
 /// Whether a logarithmic axis has a place for the row's error: it may be zero, or infinite, which is null.
-bool has_place(const PictureRow& row) {
-    return row.has("error") && row.number("error") > 0;
+bool has_place(const LineChart& chart, const PictureRow& row) {
+    return row.has(chart.y) && row.number(chart.y) > 0;
+}
+
+/// The row's text in a column that not all kinds of pictures have.
+std::string words_in(const PictureRow& row, const std::map<std::string, std::size_t>& columns, const char* column) {
+    return columns.contains(column) ? row.words(column) : std::string();
 }
 
 /// The mark of a point with its interval: hollow where it is printed.
-std::string mark_svg(const PictureRow& row, double x, const SvgAxis& y, const std::string& colour, bool printed) {
+std::string mark_svg(const PictureRow& row, double x, double level, const SvgAxis& y, bool has_interval,
+                     const std::string& colour, bool printed) {
     std::string out;
-    if (row.has("low") && row.has("high") && row.number("low") > 0)
+    if (has_interval && row.has("low") && row.has("high") && row.number("low") > 0)
         out += svg_line(x, x, y.at(row.number("low")), y.at(row.number("high")),
                         fmt::format("stroke=\"{}\" stroke-width=\"2\"", colour));
     return out + fmt::format(
                      "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" stroke=\"{}\" stroke-width=\"1.5\" "
                      "fill=\"{}\"/>\n",
-                     x, y.at(row.number("error")), printed ? 5 : 3.5, colour, printed ? "none" : colour);
+                     x, level, printed ? 5 : 3.5, colour, printed ? "none" : colour);
 }
 
 }  // namespace
@@ -93,34 +106,44 @@ std::string lines_svg(const Picture& picture) {
     double high = -low;
     for (const Json& each : values["rows"]) {
         const PictureRow row(columns, each);
-        if (!has_place(row)) continue;
+        if (!has_place(chart, row)) continue;
         rows.push_back(row);
         low = std::min(low, row.number(chart.x));
         high = std::max(high, row.number(chart.x));
     }
     if (rows.empty())
         return svg_drawing(width, height, picture.description, svg_text(left, bottom / 2, "", "no error is finite"));
-    const SvgAxis x(chart.log, low, high, left, right);
+    const SvgAxis x(chart.log, low, high, chart.reversed ? right : left, chart.reversed ? left : right);
     const Json& range = values["scales"]["y"]["domain"];
     const SvgAxis y(true, range[0].get<double>(), range[1].get<double>(), bottom, top);
     std::string content = grid(chart, x, y);
     std::string marks;
     // Points of a method follow each other, by ascending size; what theory expects is a line of its own.
-    std::map<std::pair<std::string, std::string>, std::string> paths;
+    struct Path {
+        std::string method;
+        bool dashed = false;
+        std::string points;
+    };
+    std::map<std::array<std::string, 3>, Path> paths;  // by method, and by what else makes a line of its own
     for (const PictureRow& row : rows) {
         const std::string method = row.words("method");
-        const std::string role = columns.contains("role") ? row.words("role") : std::string();
+        const std::string role = words_in(row, columns, "role");
         const double at = x.at(row.number(chart.x));
+        const double level = y.at(row.number(chart.y));
         const bool is_expected = role == "expected";
         const bool is_printed = role == "printed";
-        if (!is_expected) marks += mark_svg(row, at, y, colours[method], is_printed);
-        if (!is_printed)
-            paths[{method, is_expected ? role : std::string()}] +=
-                fmt::format("{:.1f},{:.1f} ", at, y.at(row.number("error")));
+        if (!is_expected) marks += mark_svg(row, at, level, y, columns.contains("low"), colours[method], is_printed);
+        if (is_printed) continue;
+        const bool by_size = columns.contains("treatment");
+        Path& path = paths[{method, by_size ? row.words("size") + row.words("treatment") : std::string(),
+                            is_expected ? role : std::string()}];
+        path.method = method;
+        path.dashed = is_expected || (by_size && !row["own"].get<bool>());
+        path.points += fmt::format("{:.1f},{:.1f} ", at, level);
     }
-    for (const auto& [line, points] : paths)
-        content += fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"{}/>\n", points,
-                               colours[line.first], line.second.empty() ? "" : " stroke-dasharray=\"4 3\"");
+    for (const auto& [key, path] : paths)
+        content += fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"{}/>\n",
+                               path.points, colours[path.method], path.dashed ? " stroke-dasharray=\"4 3\"" : "");
     content += marks;
     for (const Json& label : values["labels"])
         content += svg_text(right + 8, y.at(label["height"].get<double>()) + 4,

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <bit>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <set>
 #include <string_view>
@@ -254,15 +255,29 @@ std::optional<Picture> answer_ranking(const studies::StudyResults& results, cons
     if (found.subject == Subject::light || found.subject == Subject::occlusion) return std::nullopt;
     const bool is_about_all = found.subject == Subject::coverage || found.subject == Subject::configurations;
     if (is_about_all && !methods.names.empty()) return std::nullopt;
-    RankingRows rows(results, methods);
+    // Rankings at which another size is equal are pictures of their own.
+    std::vector<std::string> sizes;
     for (const Ranking& ranking : found.rankings) {
-        if (!is_about_all && rows.full()) break;
-        rows.heading(ranking.heading);
-        for (const RankedMethod& row : ranking.methods) rows.add(row);
+        if (std::ranges::find(sizes, ranking.at) == sizes.end()) sizes.push_back(ranking.at);
     }
-    if (rows.rows() < 2) return std::nullopt;  // one number needs no picture
-    Picture picture = rows.picture({"answer", found.title, found.axis, found.note, said.text, found.logarithmic,
-                                    found.subject != Subject::coverage});
+    std::vector<Picture> drawn_sizes;
+    for (const std::string& size : sizes) {
+        RankingRows rows(results, methods);
+        for (const Ranking& ranking : found.rankings) {
+            if (ranking.at != size) continue;
+            if (!is_about_all && rows.full()) break;
+            rows.heading(ranking.heading);
+            for (const RankedMethod& row : ranking.methods) rows.add(row);
+        }
+        if (rows.rows() < 2) continue;  // one number needs no picture
+        const std::string id = drawn_sizes.empty() ? "answer" : fmt::format("answer-{}", drawn_sizes.size() + 1);
+        drawn_sizes.push_back(rows.picture({id, found.title, found.axis, found.note, said.text, found.logarithmic,
+                                            found.subject != Subject::coverage}));
+        drawn_sizes.back().name = size.empty() ? size : size.substr(std::string_view(" with ").size());
+    }
+    if (drawn_sizes.empty()) return std::nullopt;
+    Picture picture = drawn_sizes.front();
+    picture.alternatives.assign(std::next(drawn_sizes.begin()), drawn_sizes.end());
     if (found.subject == Subject::rates) {
         picture.name = "convergence rates";
         picture.alternatives = errors_at_sizes(results, methods);

@@ -16,8 +16,10 @@ namespace ff::reports {
 namespace {
 
 constexpr double ranking_width = 640;
-constexpr double axis_left = 200;  // labels stand before it
-constexpr double axis_right = ranking_width - 30;
+constexpr double axis_left = 200;    // labels stand before it
+constexpr double beside_marks = 30;  // room right of the axis for letters beside marks
+constexpr double beside_axis = 150;  // and for words, which stand there
+constexpr std::size_t most_letters = 3;
 constexpr double row_height = 19;
 constexpr double rows_top = 10;
 constexpr double axis_height = 40;  // height with its title
@@ -35,7 +37,9 @@ std::string row_svg(const PictureRow& row, const SvgAxis& axis, double y, const 
     }
     out += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n", axis.at(row.number("value")), y,
                        colour);
-    return out + svg_text(axis.at(row.number("end")) + 8, y + 4, "", row.words("group"));
+    const std::string group = row.words("group");
+    const double x = group.size() > most_letters ? ranking_width - beside_axis : axis.at(row.number("end"));
+    return out + svg_text(x + 8, y + 4, "", group);
 }
 
 }  // namespace
@@ -48,6 +52,7 @@ std::string ranking_svg(const Picture& picture) {
     std::map<std::string, PictureRow> rows;
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
+    double axis_right = ranking_width;
     for (const Json& each : values["rows"]) {
         const PictureRow row(columns, each);
         for (const char* column : {"value", "low", "high", "expected"}) {
@@ -56,6 +61,8 @@ std::string ranking_svg(const Picture& picture) {
             high = std::max(high, row.number(column));
         }
         rows.emplace(row.words("row"), row);
+        const bool is_word = row.has("value") && row.words("group").size() > most_letters;
+        axis_right = std::min(axis_right, ranking_width - (is_word ? beside_axis : beside_marks));
     }
     if (!(low <= high)) low = high = 1;  // all are exact to rounding
     const SvgAxis axis(values.value("log", false), low, high, axis_left, axis_right);

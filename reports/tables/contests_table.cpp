@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -30,18 +31,6 @@ std::string_view in_words(Equal equal) {
             break;
     }
     return "equal error";
-}
-
-std::string budget_in_words(const Contest& contest) {
-    switch (contest.equal) {
-        case Equal::evaluations:
-            return fmt::format("at {:g} evaluations", contest.budget);
-        case Equal::processor_time:
-            return fmt::format("in {} s of processor time", brief(contest.budget));
-        case Equal::error:
-            break;
-    }
-    return fmt::format("at an RMSE of {}", brief(contest.budget));
 }
 
 /// The method; with its patches where it enters with several numbers of them.
@@ -122,7 +111,8 @@ Table side_by_side(const studies::StudyResults& results, bool timed) {
                 return contest->pair_class == lead->pair_class;
             });
             contests.push_back(found == column.end() ? nullptr : *found);
-            if (contests.back() != nullptr) budgets.push_back(budget_in_words(*contests.back()));
+            if (contests.back() != nullptr)
+                budgets.push_back(budget_label(contests.back()->equal, contests.back()->budget));
         }
         std::set<std::string> seen;
         for (const Contest* contest : contests) {
@@ -229,6 +219,35 @@ Table decisions_table(const studies::StudyResults& results, bool timed) {
                               text(alike(0).size())});
     }
     if (!timed && !table.rows.empty()) table.remarks.emplace_back(measured_elsewhere);
+    return table;
+}
+
+Table timed_decisions_table(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    const auto times = studies::decide_by_time(plan, results.contests);
+    Table table{"decisions-by-time", "Which method to take in how much processor time",
+                "The methods that are best in the most cases of each kind of pairs when their runs are repeated until "
+                "the time is used up; in parentheses of how many cases in which methods can be compared then.",
+                columns({"pairs"})};
+    std::map<studies::PairKind, std::vector<std::string>> rows;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        table.columns.push_back({fmt::format("{:g} s", times[i].seconds), false, "in"});
+        for (const studies::Decision& decision : times[i].decisions) {
+            const studies::Choice& first = decision.choices.front();
+            std::vector<std::string> names;
+            for (const studies::Choice& choice : decision.choices) {
+                if (choice.best == first.best) names.push_back(plan.spec.methods[choice.method].name);
+            }
+            std::vector<std::string>& row = rows[decision.kind];
+            row.resize(times.size(), "–");
+            if (first.best > 0) row[i] = fmt::format("{} ({} of {})", listed(names, 2), first.best, decision.cases);
+        }
+    }
+    for (auto& [kind, cells] : rows) {
+        std::vector<TableCell> row{std::string(kind_in_words(kind))};
+        row.insert(row.end(), cells.begin(), cells.end());
+        table.rows.push_back(std::move(row));
+    }
     return table;
 }
 

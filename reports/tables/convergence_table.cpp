@@ -1,9 +1,11 @@
 #include "reports/tables/tables.hpp"
 #include "reports/text/labels.hpp"
 #include "reports/text/numbers.hpp"
+#include "reports/words/findings/standing.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace ff::reports {
@@ -140,6 +142,34 @@ Table convergence_table(const studies::StudyResults& results) {
         }
     }
     return without_idle_columns(std::move(table));
+}
+
+Table rates_table(const studies::StudyResults& results) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    constexpr std::size_t most_of_each = 6;
+    Table table{"rates", "The fastest convergence",
+                fmt::format("Slope of ln(error) on ln N, N evaluations per face in a trial, steepest first, with its "
+                            "interval of level {:g}. Methods that are not shown to differ from the first of their "
+                            "group share its letter. Of each kind of pairs the first {}; all are below.",
+                            plan.spec.level, most_of_each),
+                columns({"method", "pairs", ">slope", "~group", "~theory", "~verdict"})};
+    for (const Ranking& ranking : rank_rates(results)) {
+        for (std::size_t i = 0; i < std::min(most_of_each, ranking.methods.size()); ++i) {
+            const RankedMethod& row = ranking.methods[i];
+            const auto ladder = std::ranges::find_if(results.slopes, [&](const studies::LadderSlopes& each) {
+                return each.ladder.scene == ranking.scene && each.ladder.label == row.label;
+            });
+            const auto found =
+                std::ranges::find(ladder->classes, ranking.pair_class, &studies::ClassSlopes::pair_class);
+            table.rows.push_back({scene_prefix(plan, ranking.scene) + row.label,
+                                  std::string(name(ranking.pair_class)) + ranking.measured,
+                                  with_ends(*row.value, row.interval->low, row.interval->high),
+                                  row.group,
+                                  expected_text(found->judged()),
+                                  {finding_in_words(*found), mark_of(*found, Mark::good)}});
+        }
+    }
+    return table;
 }
 
 }  // namespace ff::reports

@@ -70,10 +70,10 @@ using IsShown = std::function<bool(std::size_t cell, std::size_t setting)>;
 Table exitance_table(const studies::StudyResults& results, Between between, const IsShown& is_shown) {
     const studies::StudyPlan& plan = results.findings.plan;
     Table table{
-        id_of(between, "radiosity-exitance"), title_of(between, "What becomes of the light"),
+        id_of(between, "radiosity-exitance"), title_of(between, "Exitance errors"),
         fmt::format("Dominant: trials in which I − P F is strictly diagonally dominant. Spectral radius of P F, "
                     "condition of I − P F (1-norm, estimated) and energy lost (share of the emitted power that "
-                    "nothing absorbs; negative: made of nothing): medians and ranges over trials. Mean "
+                    "nothing absorbs; negative: energy created): medians and ranges over trials. Mean "
                     "exitance: of all {0} by area, relative to that with exact factors; ± half of its {1:g} % "
                     "interval. Error of the light: root mean square over trials and {0}, relative to "
                     "the mean exact exitance; at the worst: relative to its own. Negative light: trials "
@@ -192,8 +192,14 @@ Table told_light_table(const studies::StudyResults& results) {
         return setting == told && std::ranges::find(cells, cell) != cells.end();
     });
     table.id = "told-light";
-    table.title = fmt::format("What becomes of the light at reflectance {}", setting_text(plan, told));
-    return table;
+    table.title = fmt::format("Exitance errors at reflectance {}", setting_text(plan, told));
+    table.note = fmt::format(
+        "Exitance error: root mean square over trials and faces, relative to the mean exact "
+        "exitance; on the worst face: relative to its own. Bias: of the mean exitance of all "
+        "faces by area, ± half of its {:g} % interval. Other reflectances and columns: below.",
+        100 * plan.spec.level);
+    return with_columns(std::move(table),
+                        {"method", "treatment", "exitance error", "on the worst face", "bias of mean exitance"});
 }
 
 std::vector<Table> radiosity_tables(const studies::StudyResults& results) {

@@ -14,6 +14,9 @@ Table methods_table(const studies::StudyResults& results);
 /// A row for each ladder and class of pairs: slopes with intervals, the rate that theory expects, the verdict.
 Table slopes_table(const studies::StudyResults& results);
 
+/// The steepest slopes of each kind of pairs, as the answer ranks them.
+Table rates_table(const studies::StudyResults& results);
+
 /// The same with both intervals of each slope, lack of fit, and the basis of the theory.
 Table convergence_table(const studies::StudyResults& results);
 
@@ -48,6 +51,9 @@ Table contests_table(const studies::StudyResults& results, bool timed);
 
 /// The best method on each kind of pairs, and in how many scenes, for studies with several scenes.
 Table decisions_table(const studies::StudyResults& results, bool timed);
+
+/// The same for several amounts of processor time, which differ from run to run.
+Table timed_decisions_table(const studies::StudyResults& results);
 
 /// Which claims are shown: only those stated by methods or studies, or also the errors that a single run would suggest.
 enum class Claims { stated, all };

@@ -258,6 +258,7 @@ std::string terminal_summary(const studies::StudyResults& results, const TextSty
     }
     if (results.occlusion.empty()) {
         out += explained(decisions_table(results, true), "results.json", style);
+        out += explained(timed_decisions_table(results), "comparisons_by_time.csv", style);
         out += explained(contests_table(results, true), "comparisons.csv", style);
     }
     out += explained(claimed_errors_table(results, Claims::stated), "claimed_errors.csv", style);

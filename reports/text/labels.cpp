@@ -1,5 +1,7 @@
 #include "reports/text/labels.hpp"
 
+#include "reports/text/numbers.hpp"
+
 #include "core/geometry/scene.hpp"
 
 #include <fmt/format.h>
@@ -105,6 +107,18 @@ std::string listed(std::vector<std::string> names, std::size_t most, std::string
     const std::string last = names.back();
     names.pop_back();
     return fmt::format("{} {} {}", fmt::join(names, ", "), conjunction, last);
+}
+
+std::string budget_label(studies::Equal equal, double budget) {
+    switch (equal) {
+        case studies::Equal::evaluations:
+            return fmt::format("at {:g} evaluations", budget);
+        case studies::Equal::processor_time:
+            return fmt::format("in {} s of processor time", brief(budget));
+        case studies::Equal::error:
+            break;
+    }
+    return fmt::format("at an RMSE of {}", brief(budget));
 }
 
 std::string_view kind_in_words(studies::PairKind kind) {

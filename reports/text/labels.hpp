@@ -43,6 +43,9 @@ std::string of_scene(const studies::StudyPlan& plan, std::size_t scene);
 /// are quoted.
 std::string listed(std::vector<std::string> names, std::size_t most = 4, std::string_view conjunction = "and");
 
+/// What methods are compared at: "at 4096 evaluations", "in 0.02 s of processor time", "at an RMSE of 0.001".
+std::string budget_label(studies::Equal equal, double budget);
+
 /// "adjacent", "adjacent, maybe occluded"
 std::string_view kind_in_words(studies::PairKind kind);
 

@@ -53,4 +53,7 @@ struct Table {
 /// and so do all columns of a table without rows.
 Table without_idle_columns(Table table);
 
+/// The table with the columns of these titles alone, in the order of the table.
+Table with_columns(Table table, std::initializer_list<std::string_view> titles);
+
 }  // namespace ff::reports

@@ -143,11 +143,11 @@ std::vector<std::string> configuration_clauses(const StudyResults& results,
     std::vector<std::string> clauses;
     const std::size_t sampled = agree + biased + untested;
     if (sampled > 0) {
-        clauses.push_back(fmt::format(
-            "{} of {} sampled estimates show no bias, {} biased (a false alarm anywhere: {:g} %) and {} "
-            "cannot be tested",
-            agree, sampled, biased == 0 ? "none is" : fmt::format("{} {}", biased, biased == 1 ? "is" : "are"),
-            100 * (1 - results.findings.plan.spec.level), untested));
+        clauses.push_back(
+            fmt::format("trust {} of {} sampled estimates, which show no bias (a false alarm anywhere: {:g} %); {} "
+                        "biased, {} undecided",
+                        agree, sampled, 100 * (1 - results.findings.plan.spec.level),
+                        biased == 0 ? "none is" : fmt::format("{} {}", biased, biased == 1 ? "is" : "are"), untested));
     }
     if (deterministic > 0) {
         clauses.push_back(
@@ -220,19 +220,16 @@ std::size_t words_of(std::string_view text) {
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), ' ')) + 1;
 }
 
-/// One sentence of as many of these clauses as have at most so many words together, but of one at least.
+/// One sentence of as many of these clauses as have at most so many words together, but of one at least. The reports
+/// say the rest below.
 std::string sentence(std::vector<std::string> clauses, std::size_t words) {
-    const std::size_t all = clauses.size();
     std::size_t taken = 1;
-    for (std::size_t used = words_of(clauses.front()); taken < all; ++taken) {
+    for (std::size_t used = words_of(clauses.front()); taken < clauses.size(); ++taken) {
         used += words_of(clauses[taken]);
-        const std::size_t remark = taken + 1 < all ? 4 : 0;  // "2 more findings below"
-        if (used + remark > words) break;
+        if (used > words) break;
     }
     clauses.resize(taken);
-    std::string text = fmt::format("{}", fmt::join(clauses, "; "));
-    if (all > taken) text += fmt::format("; {} below", counted(all - taken, "more finding"));
-    return as_sentence(std::move(text));
+    return as_sentence(fmt::format("{}", fmt::join(clauses, "; ")));
 }
 
 /// The clauses in as many words as leave room for all of them, if there are such.
@@ -264,7 +261,7 @@ Answer answer(const StudyResults& results) {
     if (!results.findings.plan.spec.title.ends_with('?')) out.question = out.finding.question;
     std::vector<std::string> sentences;
     if (results.published && results.published->tables.figures.empty() && !results.published->claims.empty())
-        sentences.push_back(claims_sentence(*results.published));
+        sentences.push_back(claims_with_ratio(results));
     std::vector<std::string> others = out.finding.caveats;
     if (results.published && results.published->audit.figures > 0)
         others.push_back(audit_verdict(results.published->audit));

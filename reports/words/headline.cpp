@@ -7,6 +7,7 @@
 #include "reports/words/findings/radiosity_words.hpp"
 #include "reports/words/findings/verdicts.hpp"
 #include "reports/words/published_words.hpp"
+#include "reports/words/sizes.hpp"
 
 #include <fmt/format.h>
 
@@ -62,7 +63,8 @@ KeyNumber contest_number(const studies::Analysis& findings, const Rivalry& rival
 }
 
 /// Who comes first in a ranking of the answer, and in how many cases or by how much.
-KeyNumber ranking_number(const studies::StudyPlan& plan, Subject subject, const Ranking& ranking) {
+KeyNumber ranking_number(const studies::StudyResults& results, Subject subject, const Ranking& ranking) {
+    const studies::StudyPlan& plan = results.findings.plan;
     KeyNumber number;
     number.label = "on " + ranking.heading;
     if (subject == Subject::choice) {
@@ -72,6 +74,10 @@ KeyNumber ranking_number(const studies::StudyPlan& plan, Subject subject, const 
     } else {
         number.value = ranking.leaders.empty() ? "no difference shown" : listed(ranking.leaders, 3);
         number.detail = sentence(ranking, plan);
+        const std::string common = subject == Subject::rates
+                                       ? least_errors_in_common(results, ranking.scene, ranking.pair_class)
+                                       : std::string();
+        if (!common.empty()) number.detail += " " + common;
     }
     return number;
 }
@@ -100,7 +106,7 @@ std::vector<KeyNumber> numbers_on_methods(const studies::StudyResults& results, 
                 if (ranking.methods.empty()) continue;
                 numbers.push_back(finding.subject == Subject::coverage
                                       ? coverage_number(ranking)
-                                      : ranking_number(results.findings.plan, finding.subject, ranking));
+                                      : ranking_number(results, finding.subject, ranking));
             }
             break;
         case Subject::light:
@@ -124,8 +130,9 @@ KeyNumber bias_number(const studies::Analysis& findings) {
         const std::string median = brief(tally.detectable[tally.detectable.size() / 2], 2);
         const std::string largest = brief(tally.detectable.back(), 2);
         number.detail +=
-            fmt::format("; a bias of {} on one pair is found with power {:g}{}", median, findings.plan.spec.power,
-                        median == largest ? "" : fmt::format(" in half of them, of {} in all", largest));
+            fmt::format("; a bias of {} on one pair would have been found{} (power {:g})", median,
+                        median == largest ? "" : fmt::format(" in half of them, one of {} in all", largest),
+                        findings.plan.spec.power);
     }
     if (const auto inconclusive = tally.found[BiasFinding::inconclusive]; inconclusive > 0)
         number.detail += fmt::format("; {} may be biased or skewed", inconclusive);

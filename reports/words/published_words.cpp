@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace ff::reports {
@@ -113,6 +114,47 @@ std::string in_words(const studies::StudyResults& results, const PrintedErrors& 
     return text;
 }
 
+/// The cell of a method that a claim is about; null where it names none of the study's sizes, or several.
+const studies::CellAnalysis* cell_of(const studies::Analysis& findings, const studies::PublishedClaim& claim,
+                                     const std::string& method) {
+    const studies::CellAnalysis* only = nullptr;
+    const auto is_meant = [](const auto& wanted, auto value) {
+        return wanted.empty() || std::ranges::find(wanted, value) != wanted.end();
+    };
+    for (const studies::CellAnalysis& found : findings.cells) {
+        const studies::Cell& cell = findings.plan.cells[found.cell];
+        if (findings.plan.spec.methods[cell.method].name != method ||
+            !is_meant(claim.patches_per_face, cell.subdivision.per_part()) ||
+            !is_meant(claim.samples_per_patch, cell.samples_per_patch))
+            continue;
+        if (only != nullptr) return nullptr;
+        only = &found;
+    }
+    return only;
+}
+
+/// "a errs 1.3 to 1.4 times less than b": the hull of the intervals of all classes of pairs, which hold together; empty
+/// where there is none.
+std::string error_ratio(const studies::Analysis& findings, const studies::PublishedClaim& claim) {
+    const studies::CellAnalysis* const better = cell_of(findings, claim, claim.methods[0]);
+    const studies::CellAnalysis* const worse = cell_of(findings, claim, claim.methods[1]);
+    if (better == nullptr || worse == nullptr) return {};
+    const double level = studies::level_of_each(findings.plan.spec.level, better->class_errors.size());
+    double low = std::numeric_limits<double>::infinity();
+    double high = 0;
+    for (const studies::ClassError& error : better->class_errors) {
+        const studies::ClassError* const other = worse->class_error(error.pair_class);
+        if (other == nullptr || !error.mean_square || !other->mean_square) return {};
+        const auto interval = studies::ratio_interval(*studies::log_rmse(error), *studies::log_rmse(*other), level);
+        if (!interval || !interval->is_finite()) return {};
+        low = std::min(low, interval->low);
+        high = std::max(high, interval->high);
+    }
+    return low > 1 ? fmt::format("{} errs {} to {} times less than {}", listed({claim.methods[0]}), brief(low),
+                                 brief(high), listed({claim.methods[1]}))
+                   : std::string();
+}
+
 }  // namespace
 
 std::string tested_as(const studies::PublishedClaim& claim) {
@@ -151,6 +193,20 @@ std::set<std::size_t> blamed_figures(const studies::audit::Report& audit) {
         blamed.insert(finding.blamed.begin(), finding.blamed.end());
     }
     return blamed;
+}
+
+std::string claims_with_ratio(const studies::StudyResults& results) {
+    std::string sentence = claims_sentence(*results.published);
+    const auto& claims = results.published->claims;
+    const auto first = std::ranges::find_if(claims, [](const studies::JudgedClaim& judged) {
+        return judged.claim.kind == "smaller_error" && judged.verdict == studies::ClaimVerdict::supported &&
+               judged.claim.methods.size() == 2;
+    });
+    if (first == claims.end()) return sentence;
+    const std::string ratio = error_ratio(results.findings, first->claim);
+    if (ratio.empty()) return sentence;
+    sentence.pop_back();
+    return fmt::format("{}: {}.", sentence, ratio);
 }
 
 std::string claims_sentence(const studies::PublishedResults& published) {

@@ -38,6 +38,10 @@ std::string tested_as(const studies::PublishedClaim& claim);
 /// with each verdict.
 std::string claims_sentence(const studies::PublishedResults& published);
 
+/// The same, with the ratio of errors where the first supported claim is about one: "The publication's 2 claims are
+/// supported: isocell errs 1.3 to 1.4 times less than random."
+std::string claims_with_ratio(const studies::StudyResults& results);
+
 /// A publication in a few sentences: figures outside what a run can give, claims by verdict.
 /// @param alpha  family-wise error rate of the figures of a table
 std::vector<std::string> published_in_brief(const studies::PublishedResults& published, double alpha);

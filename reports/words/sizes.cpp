@@ -1,7 +1,13 @@
 #include "reports/words/sizes.hpp"
 
+#include "reports/text/labels.hpp"
+#include "studies/comparison/ranking.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <optional>
 
 namespace ff::reports {
@@ -85,6 +91,28 @@ std::vector<std::size_t> cells_of(const studies::StudyPlan& plan, const std::vec
         }
     }
     return cells;
+}
+
+std::string least_errors_in_common(const studies::StudyResults& results, std::size_t scene, PairClass pair_class) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    std::map<std::uint64_t, std::vector<std::size_t>> by_size;
+    for (const SizeSeries& series : size_series(results, scene, pair_class)) {
+        for (const SizePoint& point : series.points) {
+            if (!plan.cells[point.found->cell].deterministic)
+                by_size[point.found->evaluations_per_face].push_back(point.found->cell);
+        }
+    }
+    // From the end, so that of sizes that as many have the largest is taken.
+    const auto most = std::max_element(by_size.rbegin(), by_size.rend(),
+                                       [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
+    if (most == by_size.rend() || most->second.size() < 2) return {};
+    std::vector<std::string> names;
+    const double level = studies::level_of_each_class(results.findings);
+    for (const studies::Ranked& each : studies::rank_errors(results.findings, most->second, pair_class, level)) {
+        if (each.group == 0) names.push_back(plan.spec.methods[plan.cells[each.index].method].name);
+    }
+    if (names.empty()) return {};
+    return fmt::format("Smallest error at {} evaluations per face: {}.", most->first, listed(names, 4, "or"));
 }
 
 }  // namespace ff::reports

@@ -38,4 +38,8 @@ std::vector<SizeSeries> size_series(const studies::StudyResults& results, std::s
 std::vector<std::size_t> cells_of(const studies::StudyPlan& plan, const std::vector<SizeSeries>& all,
                                   bool deterministic);
 
+/// The sampled methods with the smallest error at the number of evaluations that most of them have in common:
+/// "Smallest error at 4096 evaluations per face: sobol or lattice." Empty where they have none.
+std::string least_errors_in_common(const studies::StudyResults& results, std::size_t scene, PairClass pair_class);
+
 }  // namespace ff::reports

@@ -61,9 +61,13 @@ struct Contest {
 
 /// Budgets are those of the method with the most sizes, plus one that all methods can use. Closed forms, unrandomised
 /// point sets (whose single error may be luck), and sizes without a variance or with few trials are left out. Contests
-/// at equal processor time need measured costs. In the order of scenes, classes, what is equal, and budgets, ascending.
-/// Methods that share their random numbers (they differ in completion only) are compared trial by trial.
+/// at equal processor time need measured costs, and are also held at powers of ten of seconds. In the order of scenes,
+/// classes, what is equal, and budgets, ascending. Methods that share their random numbers (they differ in completion
+/// only) are compared trial by trial.
 std::vector<Contest> hold_contests(const CellReader& cells, const Analysis& findings);
+
+/// The least power of ten of seconds that is not below a time. @pre positive
+double round_time_from(double seconds);
 
 /// The most informative contest of a scene and class: among those with the most entrants, the one with the largest
 /// budget or the smallest error.

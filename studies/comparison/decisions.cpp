@@ -43,6 +43,30 @@ void add_contest(const StudyPlan& plan, const Contest& contest, std::map<std::si
     }
 }
 
+std::vector<Decision> decide_by(const StudyPlan& plan, std::span<const Contest* const> contests) {
+    std::map<PairKind, std::pair<std::size_t, std::map<std::size_t, Choice>>> by_kind;
+    for (const Contest* contest : contests) {
+        auto& [cases, choices] = by_kind[pair_kind(plan.scenes[contest->scene], contest->pair_class)];
+        ++cases;
+        add_contest(plan, *contest, choices);
+        for (const std::size_t method : methods_of(plan, contest->scene)) {
+            choices[method].method = method;
+            ++choices[method].ran;
+        }
+    }
+    std::vector<Decision> decisions;
+    for (const auto& [kind, found] : by_kind) {
+        const auto& [cases, choices] = found;
+        Decision& decision = decisions.emplace_back(Decision{kind, contests.front()->equal, cases, {}});
+        for (const auto& [method, choice] : choices) decision.choices.push_back(choice);
+        std::ranges::stable_sort(decision.choices, [](const Choice& a, const Choice& b) {
+            if (a.best != b.best) return a.best > b.best;
+            return a.ran != b.ran ? a.ran < b.ran : a.largest_handicap < b.largest_handicap;
+        });
+    }
+    return decisions;
+}
+
 }  // namespace
 
 PairKind pair_kind(const Scene& scene, PairClass pair_class) {
@@ -67,27 +91,19 @@ PairKind pair_kind(const Scene& scene, PairClass pair_class) {
 
 std::vector<Decision> decide(const StudyPlan& plan, std::span<const Contest> contests, Equal equal) {
     if (plan.scenes.size() < 2) return {};
-    std::map<PairKind, std::pair<std::size_t, std::map<std::size_t, Choice>>> by_kind;
-    for (const Contest* contest : main_contests(contests, equal)) {
-        auto& [cases, choices] = by_kind[pair_kind(plan.scenes[contest->scene], contest->pair_class)];
-        ++cases;
-        add_contest(plan, *contest, choices);
-        for (const std::size_t method : methods_of(plan, contest->scene)) {
-            choices[method].method = method;
-            ++choices[method].ran;
-        }
+    return decide_by(plan, main_contests(contests, equal));
+}
+
+std::vector<TimedDecisions> decide_by_time(const StudyPlan& plan, std::span<const Contest> contests) {
+    if (plan.scenes.size() < 2) return {};
+    std::map<double, std::vector<const Contest*>> by_time;
+    for (const Contest& contest : contests) {
+        if (contest.equal == Equal::processor_time && contest.budget == round_time_from(contest.budget))
+            by_time[contest.budget].push_back(&contest);
     }
-    std::vector<Decision> decisions;
-    for (const auto& [kind, found] : by_kind) {
-        const auto& [cases, choices] = found;
-        Decision& decision = decisions.emplace_back(Decision{kind, equal, cases, {}});
-        for (const auto& [method, choice] : choices) decision.choices.push_back(choice);
-        std::ranges::stable_sort(decision.choices, [](const Choice& a, const Choice& b) {
-            if (a.best != b.best) return a.best > b.best;
-            return a.ran != b.ran ? a.ran < b.ran : a.largest_handicap < b.largest_handicap;
-        });
-    }
-    return decisions;
+    std::vector<TimedDecisions> all;
+    for (const auto& [seconds, held] : by_time) all.push_back({seconds, decide_by(plan, held)});
+    return all;
 }
 
 }  // namespace ff::studies

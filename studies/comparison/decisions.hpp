@@ -44,4 +44,13 @@ struct Decision {
 /// Empty where a study has one scene.
 std::vector<Decision> decide(const StudyPlan& plan, std::span<const Contest> contests, Equal equal);
 
+/// The same for an amount of processor time.
+struct TimedDecisions {
+    double seconds = 0;  ///< a power of ten
+    std::vector<Decision> decisions;
+};
+
+/// By ascending time, of those that contests are held at.
+std::vector<TimedDecisions> decide_by_time(const StudyPlan& plan, std::span<const Contest> contests);
+
 }  // namespace ff::studies

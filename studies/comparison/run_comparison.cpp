@@ -4,10 +4,8 @@
 #include "core/support/error.hpp"
 #include "core/support/nearest_name.hpp"
 #include "stats/error_rates/multiplicity.hpp"
-#include "stats/error_rates/power.hpp"
-#include "stats/means/mean_test.hpp"
-#include "studies/analysis/pair_spreads.hpp"
 #include "studies/comparison/ranking.hpp"
+#include "studies/comparison/run_tests.hpp"
 
 #include <fmt/format.h>
 
@@ -17,19 +15,6 @@
 
 namespace ff::studies {
 namespace {
-
-enum class Tested { mean, spread, rmse };
-
-/// A test of one pair, or of a class of pairs; `cell` is an index into the comparison.
-struct Test {
-    std::size_t cell = 0;
-    Tested tested = Tested::mean;
-    Contrast contrast{};
-    double p = 1;
-    std::size_t ratio = 0;                                    ///< index into the cell's ratios, for a test of RMSEs
-    std::optional<std::array<stats::Measured, 2>> spreads{};  ///< ln(variance) of both, for a test of these
-    std::optional<stats::MeanEvidence> means{};               ///< their difference, for a test of these
-};
 
 Basis basis_of(const Cell& first, const Cell& second, bool completed_alike) {
     if (first.deterministic && second.deterministic) return Basis::deterministic;
@@ -47,6 +32,18 @@ std::vector<ChangedScene> changed_scenes(const StudyPlan& first, const StudyPlan
         }
     }
     return changed;
+}
+
+/// Those of the same name with the same faces, as indices into both plans.
+std::vector<std::pair<std::size_t, std::size_t>> same_scenes(const StudyPlan& first, const StudyPlan& second) {
+    std::vector<std::pair<std::size_t, std::size_t>> same;
+    for (std::size_t a = 0; a < first.scenes.size(); ++a) {
+        for (std::size_t b = 0; b < second.scenes.size(); ++b) {
+            const bool alike = first.scenes[a].name == second.scenes[b].name;
+            if (alike && difference_of_faces(first.scenes[a], second.scenes[b]).empty()) same.emplace_back(a, b);
+        }
+    }
+    return same;
 }
 
 std::optional<std::size_t> counterpart(const StudyPlan& plan, const Scene& scene, const std::string& method,
@@ -95,59 +92,6 @@ void widen(std::optional<stats::Interval>& all, double low, double high, double 
     all->high = std::max(all->high, high);
 }
 
-std::optional<Untested> obstacle(const CellAnalysis& first, const CellAnalysis& second, Quantity pair) {
-    if (std::min(first.trials, second.trials) < stats::fewest_replicates) return Untested::few_trials;
-    if (first.repeated_trials + second.repeated_trials > 0) return Untested::repeated_trials;
-    const std::array found{first.summary(pair).variance, second.summary(pair).variance};
-    for (const auto& [status, reason] : {std::pair(VarianceStatus::undefined, Untested::not_finite),
-                                         std::pair(VarianceStatus::infinite, Untested::infinite_variance),
-                                         std::pair(VarianceStatus::sparse, Untested::too_few_hits)}) {
-        if (std::ranges::find(found, status) != found.end()) return reason;
-    }
-    return std::nullopt;
-}
-
-/// Both tests of every pair that has them.
-void test_pairs(const CellEstimates& a, const CellEstimates& b, const Analysis& first, const Analysis& second,
-                const std::vector<Quantity>& pairs, std::size_t index, CellComparison& cell, std::vector<Test>& tests) {
-    const CellAnalysis& in_first = first.cells[cell.first];
-    const CellAnalysis& in_second = second.cells[cell.second];
-    const PairSpreads of_first = spreads_of(first.plan, in_first, a, pairs);
-    const PairSpreads of_second = spreads_of(second.plan, in_second, b, pairs);
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        auto untested = obstacle(in_first, in_second, pairs[i]);
-        const auto means = untested ? std::nullopt : stats::difference_of_means(a.values(pairs[i]), b.values(pairs[i]));
-        if (!means) {
-            ++cell.untestable;
-            cell.obstacles.insert(untested.value_or(Untested::no_spread));
-            continue;
-        }
-        tests.push_back({.cell = index,
-                         .contrast = {pairs[i], means->difference, means->standard_error, 1},
-                         .p = stats::test_mean(*means).p,
-                         .means = means});
-        // Trials that never vary may have missed what would make them vary: they show no ratio.
-        const auto spreads = compared_spreads(of_first, of_second, i);
-        if (!spreads) continue;
-        const auto& [x, y] = *spreads;
-        tests.push_back({.cell = index,
-                         .tested = Tested::spread,
-                         .contrast = {pairs[i], std::exp((y.value - x.value) / 2), 0, 1},
-                         .p = stats::p_of_equal(x, y),
-                         .spreads = spreads});
-    }
-}
-
-/// All pairs of a class together reveal a small difference that they share, which no single pair shows.
-void test_classes(std::size_t index, const CellComparison& cell, std::vector<Test>& tests) {
-    for (std::size_t i = 0; i < cell.ratios.size(); ++i) {
-        const auto& logarithms = cell.ratios[i].logarithms;
-        if (logarithms.empty()) continue;
-        tests.push_back(
-            {.cell = index, .tested = Tested::rmse, .p = stats::p_of_equal(logarithms[0], logarithms[1]), .ratio = i});
-    }
-}
-
 /// Values from the same random numbers have to be equal before they are processed further: the direct estimates are
 /// compared.
 void compare_trials(const Store& first, const Store& second, CellComparison& cell) {
@@ -178,68 +122,22 @@ void compare_values(const CellEstimates& a, const CellEstimates& b, const std::v
     cell.likeness = std::abs(cell.largest_difference) > rounding_error ? Likeness::different : Likeness::alike;
 }
 
-void keep_smaller(std::optional<Contrast>& kept, const Contrast& contrast) {
-    if (!kept || contrast.adjusted_p < kept->adjusted_p) kept = contrast;
-}
-
-void add(double size, Detectable& detectable) {
-    if (!std::isfinite(size)) return;
-    ++detectable.pairs;
-    detectable.size = std::max(detectable.size, size);
-}
-
-/// Shares the error rate among all tests, and judges the cells by them.
-void judge_cells(const std::vector<Test>& tests, RunComparison& comparison) {
-    comparison.tests = tests.size();
-    if (tests.empty()) return;
-    std::vector<double> p;
-    for (const Test& test : tests) p.push_back(test.p);
-    const auto adjusted = stats::holm(p);
-    const double alpha = 1 - comparison.level;
-    const double shared = stats::bonferroni_level(alpha, tests.size());
-    for (std::size_t i = 0; i < tests.size(); ++i) {
-        const Test& test = tests[i];
-        CellComparison& cell = comparison.cells[test.cell];
-        Contrast contrast = test.contrast;
-        contrast.adjusted_p = adjusted[i];
-        switch (test.tested) {
-            case Tested::mean:
-                keep_smaller(cell.mean, contrast);
-                add(stats::detectable_difference(*test.means, {shared, comparison.power}), cell.difference);
-                break;
-            case Tested::spread:
-                keep_smaller(cell.spread, contrast);
-                add(detectable_ratio(*test.spreads, 1 - shared, comparison.power), cell.ratio);
-                break;
-            case Tested::rmse:
-                cell.ratios[test.ratio].adjusted_p = adjusted[i];
-                break;
-        }
-        if (cell.likeness == Likeness::untestable) cell.likeness = Likeness::alike;
-        if (adjusted[i] < alpha) cell.likeness = Likeness::different;
-    }
-    for (CellComparison& cell : comparison.cells) {
-        const bool could_differ = cell.difference.pairs > 0 && cell.ratio.pairs > 0;
-        const bool is_open = cell.basis == Basis::independent && cell.likeness == Likeness::alike && !could_differ;
-        if (is_open) cell.likeness = Likeness::untestable;
-    }
-}
-
-/// @throws UserError
-void expect_method(const StudyPlan& plan, const std::string& method) {
+/// The index of a method. @throws UserError where a study has none of this name
+std::size_t find_method(const StudyPlan& plan, const std::string& method) {
     std::vector<std::string_view> names;
     for (const Method& known : plan.spec.methods) names.push_back(known.name);
-    if (std::ranges::find(names, method) != names.end()) return;
+    const auto found = std::ranges::find(names, std::string_view(method));
+    if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
     throw UserError("method '{}' (its run has none of this name). {}There are: {}.", method,
                     did_you_mean(method, names), fmt::join(names, ", "));
 }
 
-/// "rays, lines on room.obj"
+/// "'rays', 'lines' on 'room.obj'"
 std::string contents_of(const StudyPlan& plan) {
     std::vector<std::string> methods;
     std::vector<std::string> scenes;
-    for (const Method& method : plan.spec.methods) methods.push_back(method.name);
-    for (const Scene& scene : plan.scenes) scenes.push_back(scene.name);
+    for (const Method& method : plan.spec.methods) methods.push_back(fmt::format("'{}'", method.name));
+    for (const Scene& scene : plan.scenes) scenes.push_back(fmt::format("'{}'", scene.name));
     return fmt::format("{} on {}", fmt::join(methods, ", "), fmt::join(scenes, ", "));
 }
 
@@ -266,9 +164,24 @@ Lead RunComparison::lead() const {
     return found;
 }
 
+Lead RunComparison::lead_at_equal_evaluations() const {
+    Lead found;
+    for (const Bout& bout : bouts) {
+        if (bout.equal != Equal::evaluations || !bout.is_main) continue;
+        ++found.compared;
+        if (bout.is_shown) ++(bout.better == 0 ? found.first : found.second);
+        if (bout.is_exact) continue;
+        const double low = std::sqrt(bout.interval ? bout.interval->low : bout.ratio);
+        const double high = std::sqrt(bout.interval ? bout.interval->high : bout.ratio);
+        widen(found.ratios, bout.better == 0 ? low : 1 / high, bout.better == 0 ? high : 1 / low, level);
+        if (bout.is_shown) widen(found.decided, low, high, level);
+    }
+    return found;
+}
+
 RunComparison compare_runs(const Store& first, const Store& second, std::array<std::string, 2> names,
                            const std::optional<MethodNames>& methods) {
-    RunComparison out{std::move(names), analyse(first), analyse(second), {}, {}, {}, {}, {}, 0, 0.95, 0.9};
+    RunComparison out{std::move(names), analyse(first), analyse(second), {}, {}, {}, {}, {}, {}, 0, 0.95, 0.9};
     const StudyPlan& a = first.plan();
     const StudyPlan& b = second.plan();
     out.level = a.spec.level;
@@ -276,8 +189,10 @@ RunComparison compare_runs(const Store& first, const Store& second, std::array<s
     out.changed_scenes = changed_scenes(a, b);
     out.differences = differences_of(a.spec, b.spec);
     if (methods) {
-        expect_method(a, (*methods)[0]);
-        expect_method(b, (*methods)[1]);
+        const CellReader in_first(first);
+        const CellReader in_second(second);
+        out.bouts = hold_duel({in_first, out.first, find_method(a, (*methods)[0])},
+                              {in_second, out.second, find_method(b, (*methods)[1])}, same_scenes(a, b));
     }
     const auto is_meant = [&](const StudyPlan& plan, const Cell& cell, std::size_t run) {
         return !methods || plan.spec.methods[cell.method].name == methods->at(run);
@@ -326,7 +241,7 @@ RunComparison compare_runs(const Store& first, const Store& second, std::array<s
     for (std::size_t i = 0; i < met.size(); ++i) {
         if (!met[i] && is_meant(b, b.cells[i], 1)) out.only_second.push_back(i);
     }
-    if (out.cells.empty()) {
+    if (out.cells.empty() && out.bouts.empty()) {
         for (const ChangedScene& scene : out.changed_scenes) {
             if (!scene.difference.empty())
                 throw UserError(
@@ -336,7 +251,8 @@ RunComparison compare_runs(const Store& first, const Store& second, std::array<s
         }
         throw UserError(
             "nothing to compare (no scene, method and size is in both: the first has {}; the second has {}). Give two "
-            "runs that share some, or one study both methods: it compares unlike sizes at equal cost.",
+            "runs that share some, or name a method of each, RESULTS:METHOD: unlike sizes are compared at equal cost "
+            "where exact values are known.",
             contents_of(a), contents_of(b));
     }
     judge_cells(tests, out);

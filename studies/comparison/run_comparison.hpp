@@ -3,6 +3,7 @@
 #include "core/visibility/pair_class.hpp"
 #include "stats/basics/interval.hpp"
 #include "studies/analysis/analysis.hpp"
+#include "studies/comparison/duel.hpp"
 #include "studies/spec/study_difference.hpp"
 
 #include <array>
@@ -99,6 +100,7 @@ struct RunComparison {
     std::vector<CellComparison> cells;    ///< in the order of the first run
     std::vector<std::size_t> only_first;  ///< cells without a counterpart
     std::vector<std::size_t> only_second;
+    std::vector<Bout> bouts;  ///< of the two methods at equal cost; empty where whole runs are compared
     std::vector<ChangedScene> changed_scenes;
     std::vector<SpecDifference> differences;
     std::size_t tests = 0;  ///< number of tests of means, variances and RMSEs, which share one error rate
@@ -106,7 +108,10 @@ struct RunComparison {
     double power = 0.9;
 
     [[nodiscard]] std::size_t count(Likeness likeness) const;
+    /// At the sizes that both have.
     [[nodiscard]] Lead lead() const;
+    /// At equal evaluations, in the most informative bouts.
+    [[nodiscard]] Lead lead_at_equal_evaluations() const;
 };
 
 /// A method of either run.
@@ -117,7 +122,8 @@ using MethodNames = std::array<std::string, 2>;
 /// are equivalent, the chance that any of their cells is reported as different is at most 1 - level. Level and power
 /// are those of the first study. Pure.
 /// @param names    of the runs
-/// @param methods  one method of each run to compare, whatever their names; both runs may then be the same
+/// @param methods  one method of each run to compare, whatever their names, at equal sizes and at equal cost; both runs
+///                 may then be the same
 /// @throws UserError where the runs have nothing in common, or there is no such method
 RunComparison compare_runs(const Store& first, const Store& second, std::array<std::string, 2> names = {"A", "B"},
                            const std::optional<MethodNames>& methods = {});

@@ -170,6 +170,8 @@ void expect_kind(FileKind wanted, std::string_view bytes, const std::filesystem:
 }
 
 std::string read_bytes(const std::filesystem::path& file) {
+    if (std::error_code unknown; std::filesystem::is_directory(file, unknown))
+        throw IoError("{}: a folder, not a file. Check the name.", file.string());
     errno = 0;
     std::ifstream in(file, std::ios::binary);
     std::ostringstream bytes;

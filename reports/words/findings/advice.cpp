@@ -34,8 +34,9 @@ bool is_exact(const Ranking& ranking) {
     return !ranking.methods.front().value;
 }
 
-/// "between -0.72 and -0.58", the hull of the intervals of these methods; empty where one has no value.
-std::string values_of(const std::vector<Ranking>& rankings, const std::vector<std::string>& labels) {
+/// "-0.72 to -0.58", the hull of the intervals of these methods; empty where one has no value.
+std::string range_of(const std::vector<Ranking>& rankings, const std::vector<std::string>& labels,
+                     std::string_view between) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const Ranking& ranking : rankings) {
@@ -47,7 +48,13 @@ std::string values_of(const std::vector<Ranking>& rankings, const std::vector<st
         }
     }
     if (brief(low) == brief(high)) return brief(low);
-    return fmt::format("between {} and {}", brief(low), brief(high));
+    return fmt::format("{} {} {}", brief(low), between, brief(high));
+}
+
+/// "between -0.72 and -0.58"
+std::string values_of(const std::vector<Ranking>& rankings, const std::vector<std::string>& labels) {
+    const std::string range = range_of(rankings, labels, "and");
+    return range.find(" and ") == std::string::npos ? range : "between " + range;
 }
 
 /// "on parallel and adjacent pairs", "on pairs of all scenes"
@@ -116,6 +123,15 @@ std::vector<std::string> each_by_itself(const studies::StudyPlan& plan, std::vec
     return clauses_of(plan, rankings, &Ranking::brief);
 }
 
+/// Methods that no other is shown to converge faster than, with their rates on each kind of pairs.
+std::string fastest(const std::vector<Ranking>& rankings, const std::vector<std::string>& methods) {
+    std::vector<std::string> rates;
+    for (const Ranking& ranking : rankings)
+        rates.push_back(fmt::format("{}{} on {} pairs{}", rates.empty() ? "slope " : "",
+                                    range_of({ranking}, methods, "to"), name(ranking.pair_class), ranking.measured));
+    return fmt::format("for the fastest convergence take {}: {}", listed(methods, 4, "or"), fmt::join(rates, ", "));
+}
+
 /// The advice on rankings in which the same is equal.
 std::vector<std::string> advice_at(const studies::StudyPlan& plan, const std::vector<Ranking>& rankings,
                                    const Comparative& comparative, Words words) {
@@ -134,10 +150,7 @@ std::vector<std::string> advice_at(const studies::StudyPlan& plan, const std::ve
     const bool one = std::all_of(rankings.begin(), rankings.end(), has_one);
     if (common.empty() || (one && !comparative.is_enough)) return each_by_itself(plan, rankings, comparative, words);
     if (one && words != Words::names_alone) return take_one(plan, rankings, common.front());
-    if (!comparative.is_enough) {
-        return {fmt::format("{} nothing is shown to {} than {} ({}{})", where(plan, rankings), comparative.better,
-                            listed(common, 4, "or"), comparative.before_values, values_of(rankings, common))};
-    }
+    if (!comparative.is_enough) return {fastest(rankings, common)};
     return {fmt::format("take {}{}: {} {}", listed(common, 4, "or"), rankings.front().at, where(plan, rankings),
                         nothing_better(rankings, common, comparative))};
 }

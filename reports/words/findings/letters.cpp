@@ -16,7 +16,7 @@ std::string letter(std::span<const Ranked> ranked, const Ranked& one) {
 std::string letters_in_words(double level, std::size_t blocks) {
     return fmt::format(
         "Methods with the same letter are not shown to differ from the first of them ({:g} % over all pairs of "
-        "methods{}). Errors so rare that no trial met them could change this.",
+        "methods{}). Errors rarer than the trials can show could change this.",
         100 * (1 - level), blocks > 1 ? " in all blocks" : "");
 }
 

@@ -95,7 +95,8 @@ std::vector<Ranking> of_each_class(const StudyResults& results, void (*rank)(con
 void rank_rates_of_class(const StudyResults& results, Ranking& ranking, double level) {
     const auto ranked = studies::rank_slopes(results.slopes, ranking.scene, ranking.pair_class, level);
     if (ranked.slopes.empty()) return;
-    if (ranked.of_median) ranking.heading += " (median error)";
+    if (ranked.of_median) ranking.measured = " (median error)";
+    ranking.heading += ranking.measured;
     for (const Ranked& each : ranked.slopes) {
         const studies::LadderSlopes& ladder = results.slopes[each.index];
         const auto found = std::find_if(ladder.classes.begin(), ladder.classes.end(),
@@ -134,7 +135,6 @@ void rank_rates_of_class(const StudyResults& results, Ranking& ranking, double l
                });
     };
     if (std::any_of(results.slopes.begin(), results.slopes.end(), is_beyond)) {
-        ranking.caveat = "Methods without an interval are not ranked.";
         ranking.said += "; methods without an interval are not ranked";
     }
     if (std::string exact = which_are_exact(results, ranking.scene, ranking.pair_class); !exact.empty())
@@ -218,7 +218,8 @@ void rank_errors_of_class(const StudyResults& results, Ranking& ranking, double 
         ranking.margin =
             is_exact_at_all_sizes(findings, plan.cells[findings.cells[ranked.front().index].cell], ranking.pair_class)
                 ? "is exact"
-                : fmt::format("is exact at {}", size);
+                : fmt::format("is exact with {} evaluations per face",
+                              findings.cells[ranked.front().index].evaluations_per_face);
         ranking.said = fmt::format(" {} {} exact to rounding", listed(std::move(exact)), best.one() ? "is" : "are");
     } else if (ranked.size() == 1) {
         const auto& interval = ranked.front().interval;

@@ -17,7 +17,7 @@ expect_refused 3 "missing: no such file"
 ffstudy audit missing.json
 expect_refused 3 "missing.json: cannot be read (No such file or directory)"
 ffstudy audit "$folder"
-expect_refused 3 "cannot be read (Is a directory)"
+expect_refused 3 "a folder, not a file"
 
 # A folder in the way of any file of the results is noticed before anything is run.
 ffstudy run "$folder/study.toml" --out "$folder/whole"

@@ -78,7 +78,7 @@ END
 ffstudy run patches.toml --out patches --threads 2
 expect_status 0
 expect_stdout "Between the 24 patches of "
-grep -Fq "What becomes of the light, between patches" patches/report.md || fail "report.md says nothing of patches"
+grep -Fq "Exitance errors, between patches" patches/report.md || fail "report.md says nothing of patches"
 ffstudy radiosity "$folder/study.toml" --reflectance 0.5,0.95 --emission 0,0,0,0,0,1 --patch-trials 3 --threads 1 \
     --out patches_again
 for file in matrices systems exitance solvers residuals; do

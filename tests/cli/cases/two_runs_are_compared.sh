@@ -114,7 +114,44 @@ sed 's/"sobol"/"random"/; s/"ray_shooting"$/"area_kernel"/' two.toml | sed '0,/a
 grep -q area_kernel costs.toml || fail "expected a study of rays and kernel values"
 ffstudy run costs.toml --quiet --out costs
 ffstudy compare costs:rays "costs:other rays"
-expect_stdout "not at the same cost"
+expect_stdout "At equal evaluations: "
+expect_stdout "fewer evaluations"
+
+# Methods whose sizes mean different things are compared at equal cost, in one run or two.
+cat >one.toml <<'END_OF_STUDY'
+[study]
+name = "one"
+scene = "cube"
+trials = 50
+seed = 3
+[[method]]
+name = "hemicube"
+estimator = "hemicube"
+patches_per_face = [1, 4]
+samples_per_patch = 768
+[[method]]
+name = "rays"
+sampler = "random"
+estimator = "ray_shooting"
+samples_per_patch = [256, 1024]
+END_OF_STUDY
+ffstudy run one.toml --out one_run --quiet
+sed 's/seed = 3/seed = 4/' one.toml >another.toml
+ffstudy run another.toml --out another_run --quiet
+for other in one_run another_run; do
+    ffstudy compare one_run:hemicube $other:rays --out at_equal_cost
+    expect_status 1
+    expect_stdout "At equal evaluations: "
+    expect_stdout "At equal cost"
+    expect_no_stderr
+done
+expect_in_file at_equal_cost/comparison.md "| at 18432 evaluations | parallel |"
+ffstudy compare one_run:hemicube another_run:rays --json
+python3 -c "import json, sys
+bouts = json.load(open(sys.argv[1]))['equal_cost']
+assert {bout['equal'] for bout in bouts} == {'evaluations', 'processor_time', 'error'}, bouts
+assert all(bout['ratio'] >= 1 and bout['better'] in ('one_run:hemicube', 'another_run:rays') for bout in bouts)" \
+    "$folder/stdout" || fail "expected all bouts as JSON"
 ffstudy compare two:rays two
 expect_status 2
 expect_stderr "only one names a method"
@@ -138,7 +175,7 @@ expect_status 2
 expect_stderr "a run is equal to itself"
 ffstudy compare a other_scene
 expect_status 2
-expect_stderr "on cube; the second has "
+expect_stderr "on 'cube'; the second has "
 ffstudy compare a missing
 expect_status 3
 ffstudy compare a a.toml

@@ -75,10 +75,9 @@ TEST(Advice, NamesNoMethodWhereNothingIsShown) {
                     "random points)"));
 }
 
-TEST(Advice, RecommendsNoMethodForItsSlope) {
-    EXPECT_THAT(
-        advice(plan(), {ranking(PairClass::parallel, {"a", "b"})}, converges_faster),
-        ElementsAre("on parallel pairs nothing is shown to converge faster than a or b (slopes between 1 and 4)"));
+TEST(Advice, RecommendsSlopesForConvergenceAlone) {
+    EXPECT_THAT(advice(plan(), {ranking(PairClass::parallel, {"a", "b"})}, converges_faster),
+                ElementsAre("for the fastest convergence take a or b: slope 1 to 4 on parallel pairs"));
 }
 
 TEST(Advice, SaysLessWhereRoomIsShort) {

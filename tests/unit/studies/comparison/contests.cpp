@@ -20,14 +20,6 @@
 namespace ff::studies {
 namespace {
 
-/// Errors of +-scale(cell) about the exact values of parallel faces, their sign by trial.
-Store store_with_errors(const std::vector<double>& scales, const char* methods = test::two_methods) {
-    const auto plan = test::plan_of(test::study_text("trials = 70", methods));
-    return test::fill(plan, [&](std::size_t cell, std::uint64_t trial, int from, int to) {
-        return (test::are_opposite(from, to) ? 0.1998249 : 0.20004378) + scales[cell] * test::wobble(trial);
-    });
-}
-
 std::vector<Contest> parallel_contests(const Store& store, Equal equal) {
     auto contests = hold_contests(store, analyse(store));
     std::erase_if(contests, [&](const Contest& contest) {
@@ -38,7 +30,7 @@ std::vector<Contest> parallel_contests(const Store& store, Equal equal) {
 
 // Hits of 100 rays are whole numbers: an error of 0.02 or more for the smaller sizes.
 TEST(Contests, RepeatSizesBelowTheBudget) {
-    const auto contests = parallel_contests(store_with_errors({0.04, 0.002, 0.02}), Equal::evaluations);
+    const auto contests = parallel_contests(test::store_with_errors({0.04, 0.002, 0.02}), Equal::evaluations);
     ASSERT_EQ(contests.size(), 2u);
     EXPECT_EQ(contests[0].budget, 600);  // six faces
     ASSERT_EQ(contests[0].entrants.size(), 2u);
@@ -57,7 +49,7 @@ TEST(Contests, RepeatSizesBelowTheBudget) {
 // The RMSEs are twice the scales. To reach A's 0.004 with 10000 rays, B is between its 0.04 with 100 and its 0.002 with
 // 10000: 100 * 100^(ln 10 / ln 20) = 3446. A's 0.08 is more than B has at any size.
 TEST(Contests, InterpolateBetweenSizesToReachAnEqualError) {
-    const auto contests = parallel_contests(store_with_errors({0.04, 0.002, 0.02, 0.001}, R"([[method]]
+    const auto contests = parallel_contests(test::store_with_errors({0.04, 0.002, 0.02, 0.001}, R"([[method]]
 name = "A"
 sampler = "random"
 estimator = "ray_shooting"
@@ -146,7 +138,7 @@ samples_per_patch = 10000
 }
 
 TEST(Contests, NeedMeasuredCostsAtEqualTime) {
-    Store store = store_with_errors({0.04, 0.002, 0.02});
+    Store store = test::store_with_errors({0.04, 0.002, 0.02});
     EXPECT_TRUE(parallel_contests(store, Equal::processor_time).empty());
     MeasuredCosts costs(store.plan());
     for (const WorkUnit& unit : store.plan().units) {
@@ -159,17 +151,27 @@ TEST(Contests, NeedMeasuredCostsAtEqualTime) {
     }
     store.set_context({{std::string(costs_key), costs.in_context()}});
     const auto contests = parallel_contests(store, Equal::processor_time);
-    ASSERT_EQ(contests.size(), 2u);
-    // In 4 ms A runs four times with 100 rays, and has the error of B. At 0.1 s B runs 25 times.
+    ASSERT_EQ(contests.size(), 3u);
+    // In 4 ms A runs four times with 100 rays, and has the error of B. At 0.1 s B runs 25 times. 10 ms are round.
     EXPECT_NEAR(contests[0].budget, 4e-3, 1e-7);
     EXPECT_NEAR(contests[0].handicaps[0].ratio, 1, 0.01);
-    EXPECT_NEAR(contests[1].handicaps[0].ratio, 4, 0.04);
+    EXPECT_EQ(contests[1].budget, 1e-2);
+    EXPECT_NEAR(contests[2].handicaps[0].ratio, 4, 0.04);
     // The noise of the costs is in the intervals.
     const auto of_evaluations = parallel_contests(store, Equal::evaluations);
     const auto width = [](const Contest& contest) {
         return std::log(contest.handicaps[0].interval->high / contest.handicaps[0].interval->low);
     };
-    EXPECT_GT(width(contests[1]), width(of_evaluations[1]));
+    EXPECT_GT(width(contests[2]), width(of_evaluations[1]));
+}
+
+TEST(RoundTime, IsItselfForPowersOfTen) {
+    for (int power = -9; power < 5; ++power) {
+        const double time = std::pow(10, power);
+        EXPECT_EQ(round_time_from(time), time);
+        EXPECT_EQ(round_time_from(0.7 * time), time);
+        EXPECT_EQ(round_time_from(1.1 * time), std::pow(10, power + 1));
+    }
 }
 
 TEST(Contests, CompareMethodsThatShareRandomNumbersTrialByTrial) {
@@ -279,6 +281,18 @@ samples_per_patch = 256
     EXPECT_EQ(occluded[0].best, 1u);
     EXPECT_EQ(occluded[1].best, 0u);
     EXPECT_GT(occluded[1].largest_handicap, 4);
+    // Contests at one time decide as those of evaluations do.
+    auto timed = hold_contests(store, analyse(store));
+    std::erase_if(timed, [](const Contest& contest) { return contest.equal != Equal::evaluations; });
+    for (Contest& contest : timed) contest.equal = Equal::processor_time;
+    EXPECT_TRUE(decide_by_time(plan, timed).empty());  // their budgets are not round
+    for (Contest& contest : timed) contest.budget = 0.1;
+    const auto by_time = decide_by_time(plan, timed);
+    ASSERT_EQ(by_time.size(), 1u);
+    EXPECT_EQ(by_time[0].seconds, 0.1);
+    const auto& in_time = *std::ranges::find(by_time[0].decisions, PairKind::occluded, &Decision::kind);
+    EXPECT_EQ(plan.spec.methods[in_time.choices[0].method].name, "polygons");
+    EXPECT_EQ(in_time.equal, Equal::processor_time);
     // The kernel has no variance where faces touch.
     const Decision& adjacent = of_kind(PairKind::adjacent);
     const auto kernel = std::ranges::find(adjacent.choices, std::size_t{3}, &Choice::method);

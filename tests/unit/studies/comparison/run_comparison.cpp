@@ -174,7 +174,7 @@ TEST(RunComparison, RefusesRunsWithNothingInCommon) {
         "\"random\"\nestimator = \"ray_shooting\"\nsamples_per_patch = 256\n"));
     const std::string message =
         test::message_of<UserError>([&] { static_cast<void>(compare_runs(made("random", 1, 5), box)); });
-    EXPECT_THAT(message, testing::HasSubstr("the first has rays on cube; the second has rays on box:2x1x1"));
+    EXPECT_THAT(message, testing::HasSubstr("the first has 'rays' on 'cube'; the second has 'rays' on 'box:2x1x1'"));
 }
 
 TEST(DifferencesOf, NamesEveryKeyThatDiffers) {
