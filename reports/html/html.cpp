@@ -152,8 +152,7 @@ Json pictures_view(const std::vector<Picture>& pictures) {
     return list;
 }
 
-/// What pictures show, by the beginnings of their titles: "4 pictures: Error against evaluations, Efficiency against
-/// evaluations".
+/// What pictures show, by the beginnings of their titles: "4 pictures: Error against evaluations, Where errors are".
 std::string contents_of(const std::vector<Picture>& pictures) {
     constexpr std::size_t most = 4;
     std::vector<std::string> kinds;
@@ -290,11 +289,10 @@ void add_pictures(const PagePictures& page, const Templates& templates, Json& vi
     view["pictures"] = pictures_view(page.pictures);
     view["all_pictures"] = page.pictures.empty() ? Json() : Json(contents_of(page.pictures));
     view["groups"] = Json::array();
-    for (const PictureGroup& group : page.groups) {
+    for (const PictureGroup& group : page.groups)
         view["groups"].push_back({{"title", group.title},
                                   {"contents", contents_of(group.pictures)},
                                   {"pictures", pictures_view(group.pictures)}});
-    }
     view["runtime"] = templates.text("vega.js");
     auto pictures = page.pictures;
     if (page.lead) pictures.push_back(*page.lead);
