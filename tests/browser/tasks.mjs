@@ -36,7 +36,10 @@ const verdict = page => page.$eval('.verdict', node =>
   node.getBoundingClientRect().bottom <= window.innerHeight ? node.textContent : '');
 
 const tasks = [
-  {study: 'convergence_rays', asks: 'Which sampler is best for adjacent faces at 4096 rays?',
+  {study: 'low_discrepancy', asks: 'Which sampler is best for adjacent faces at 4096 rays?',
+   async reads(page) { return (await verdict(page)).match(/Take (\w+): on parallel and adjacent pairs/)?.[1]; },
+   knows: json => errorsAt(json, 'adjacent', 4096).sort((a, b) => a.rmse - b.rmse)[0].label},
+  {study: 'convergence_rays', asks: 'Which of all samplers is, once that number of rays is chosen?',
    async reads(page) {
      const name = 'errors at 4096 evaluations per face';
      const value = await page.$$eval('header .alternatives option', (options, name) =>
