@@ -99,7 +99,7 @@ Table side_by_side(const studies::StudyResults& results, bool timed) {
         if (contests.empty()) continue;
         table.columns.push_back(
             {fmt::format("relative {} at {}", equal == Equal::error ? "evaluations" : "MSE", in_words(equal)), false,
-             ""});
+             "", equal == Equal::error});
         columns.push_back(std::move(contests));
     }
     if (columns.empty()) return table;
