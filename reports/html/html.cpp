@@ -8,6 +8,7 @@
 #include "reports/templates/mustache.hpp"
 #include "reports/text/json_values.hpp"
 #include "reports/text/labels.hpp"
+#include "reports/text/numbers.hpp"
 #include "reports/words/findings/radiosity_words.hpp"
 #include "reports/words/in_brief.hpp"
 #include "reports/words/sizes.hpp"
@@ -280,10 +281,9 @@ std::size_t leave_out_pairs(Json& tables, std::size_t bytes) {
 }
 
 void add_pictures(const PagePictures& page, const Templates& templates, Json& view) {
-    view["left_out"] = page.left_out > 0 ? Json(fmt::format("{} pictures are not on this page: ffstudy figure draws "
-                                                            "them.",
-                                                            page.left_out))
-                                         : Json();
+    view["left_out"] = Json();
+    if (page.left_out > 0)
+        view["left_out"] = fmt::format("{} pictures are not on this page: ffstudy figure draws them.", page.left_out);
     view["lead"] = page.lead ? picture_view(*page.lead) : Json();
     view["pictured"] = !page.pictures.empty() || !page.groups.empty() || page.left_out > 0;
     view["pictures"] = pictures_view(page.pictures);

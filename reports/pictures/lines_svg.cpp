@@ -83,7 +83,7 @@ std::string mark_svg(const PictureRow& row, double x, double level, const SvgAxi
     std::string out;
     if (has_interval && row.has("low") && row.has("high") && row.number("low") > 0)
         out += svg_line(x, x, y.at(row.number("low")), y.at(row.number("high")),
-                        fmt::format("stroke=\"{}\" stroke-width=\"2\"", colour));
+                        fmt::format(R"(stroke="{}" stroke-width="2")", colour));
     return out + fmt::format(
                      "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" stroke=\"{}\" stroke-width=\"1.5\" "
                      "fill=\"{}\"/>\n",
