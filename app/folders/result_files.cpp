@@ -228,7 +228,7 @@ Evaluated evaluate_until_stopped(const studies::Store& store, bool quiet) {
     stop_gracefully_on_signals();
     constexpr double worth_a_note = 3;
     const double seconds = studies::radiosity::seconds_needed(plan);
-    if (!quiet && seconds > worth_a_note)
+    if (!quiet && (seconds > worth_a_note || is_verbose()))
         say("Solving the systems between patches takes about {} on one core; Ctrl-C leaves out the rest.\n",
             reports::seconds_in_words(seconds));
     Evaluated evaluated{studies::evaluate(store, &stop_flag())};

@@ -43,12 +43,13 @@ cut -d, -f 2-10 lit/matrices.csv | grep ",patches," >/dev/null || fail "no syste
 # A report that is stopped leaves a complete one as it is. It may be over before the signal arrives.
 cp -r lit complete
 report_stopped() {
-    begin report lit
-    wait_until is_over_or takes_signals
+    begin report lit --verbose
+    wait_until is_over_or solves
     kill -INT "$process" 2>/dev/null || true
     finish
     [ "$status" = 130 ] && grep "No report is written." "$folder/stderr" >/dev/null
 }
+solves() { grep "Solving the systems between patches" "$folder/stderr" >/dev/null; }
 until report_stopped; do try_again "the report was written before it could be stopped"; done
 cmp lit/report.html complete/report.html || fail "the complete report is gone"
 
