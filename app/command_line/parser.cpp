@@ -239,6 +239,7 @@ ParsedCommandLine parse(const ProgramDefinition& program, std::span<char* const>
     const auto app = make_app(program, Relations::known);
     std::vector<const char*> words(arguments.begin(), arguments.end());
     if (words.size() > 1) words[1] = present_name(program, words[1]);
+    if (words.size() == 2 && std::string_view(words[1]) == "-v") words[1] = "-V";  // nothing that could be verbose
     try {
         app->parse(static_cast<int>(words.size()), words.data());
     } catch (const CLI::ParseError& error) {
@@ -262,8 +263,11 @@ std::string help_of(const ProgramDefinition& program, const std::string& command
     if (command.empty()) return app->get_formatter()->make_help(app.get(), app->get_name(), CLI::AppFormatMode::Normal);
     const auto names = command_names(model_of_program(*app));
     const std::string name = present_name(program, command.c_str());
-    if (std::find(names.begin(), names.end(), name) != names.end())
-        return app->get_subcommand(name)->help(app->get_name());
+    if (std::find(names.begin(), names.end(), name) != names.end()) {
+        CLI::App& asked = *app->get_subcommand(name);
+        asked.description(broken_into_lines(asked.get_description(), columns));
+        return asked.help(app->get_name());
+    }
     const std::vector<std::string_view> known(names.begin(), names.end());
     throw UserError("unknown command '{}'. {}See 'ffstudy --help'.", command, did_you_mean(command, known));
 }

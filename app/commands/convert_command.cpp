@@ -128,7 +128,7 @@ void add_convert(ProgramDefinition& program) {
     add_options_of_places(sub, command.scene);
     sub.option("--facets", command.facets,
                "Polygons around a full turn of a curved surface (default: it stays curved)");
-    add_verbosity(sub, command.scene.quiet, "Print warnings and errors only");
+    add_verbosity(sub, command.scene.quiet, "Print errors and warnings only");
 }
 
 }  // namespace ff::app

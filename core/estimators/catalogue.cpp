@@ -36,7 +36,7 @@ class ClosedForm : public SceneEstimator {
         .summary = "exact formulas for parallel and perpendicular rectangles",
         .details =
             "Takes no points and has no error but rounding (about 1e-15 of the squared extent). Axis-aligned "
-            "rectangles with\nnothing in between. The reference that bias is measured from, and the baseline that "
+            "rectangles,\nunoccluded. The reference that bias is measured from, and the baseline that "
             "others have to beat.",
         .reference = "howell",
         .exact = true,
@@ -108,7 +108,7 @@ std::string refusal_of(const EstimatorInfo& info, const Scene& scene) {
             info.name, scene.name);
     }
     if (!info.sees_occluders && may_be_occluded(scene))
-        return refused(info, scene, "something may stand between two of its faces, which the estimator does not see");
+        return refused(info, scene, "two of its faces may be occluded from each other, and the estimator does not see occluders");
     if (info.needs_polygons && !has_polygonal_faces(scene))
         return refused(info, scene, "not all of its faces are parallelograms and triangles");
     return {};

@@ -37,30 +37,30 @@ enum class ExchangeReason : std::uint8_t {
     far,            ///< polygons that nothing can stand between, small beside their distance
     small,          ///< little passes, whatever stands in between
     blocked,        ///< polygons past polygons that may stand in between
-    curved,         ///< a surface is curved, or something curved may stand in between
-    many_blockers,  ///< more obstacles may stand in between than can be cut out of a polygon
+    curved,         ///< a surface is curved, or a possible occluder is
+    many_blockers,  ///< more possible occluders than can be cut out of a polygon
     covers,         ///< one of them covers a part of the other
     leaves,         ///< received by the surroundings of an open scene
-    many_surfaces,  ///< the scene has too many surfaces to test what may stand in between
-    round,          ///< a disc and a flat surface, or a sphere and any, that nothing can stand between
+    many_surfaces,  ///< the scene has too many surfaces to find the possible occluders of each pair
+    round,          ///< a disc and a flat surface, or a sphere and any, never occluded
     coaxial,        ///< surfaces about one axis that see each other wholly
 };
 
 /// The reasons in words, in order.
 inline constexpr std::array<std::string_view, 13> exchange_reasons{
     "cannot see each other",
-    "aligned rectangles with nothing in between",
-    "polygons with nothing in between",
-    "polygons far apart with nothing in between",
-    "less than the tolerance, whatever stands in between",
-    "polygons, something may stand in between",
+    "aligned rectangles, unoccluded",
+    "polygons, unoccluded",
+    "polygons far apart, unoccluded",
+    "less than the tolerance, even if unoccluded",
+    "polygons, possibly occluded",
     "something is curved",
-    "much may stand in between",
+    "many possible occluders",
     "one covers a part of the other",
     "leaves the scene",
     "too many surfaces to look at each pair",
-    "with a disc or a sphere, nothing in between",
-    "round surfaces about one axis with nothing in between",
+    "with a disc or a sphere, unoccluded",
+    "round surfaces about one axis, unoccluded",
 };
 
 constexpr std::string_view in_words(ExchangeReason reason) {

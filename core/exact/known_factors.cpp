@@ -125,7 +125,7 @@ std::string why_no_exact_factors(const Scene& scene) {
     if (!mirrors(scene).empty())
         return scene.empty_box ? "images in opposite mirrors are without end"
                                : "images in mirrors are known of boxes only";
-    if (may_be_occluded(scene)) return "something may stand between its faces";
+    if (may_be_occluded(scene)) return "its faces may be occluded from each other";
     return "they are known of rectangles along the axes, and of closed convex rooms with flat walls or of revolution";
 }
 

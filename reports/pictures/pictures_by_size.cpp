@@ -66,11 +66,18 @@ std::string smallest_errors_in_words(const studies::Analysis& findings, const st
     return text;
 }
 
+/// A logarithmic axis has no place for errors at the level of rounding: " Not drawn: PDM (exact)." Empty without any.
+std::string not_drawn(std::vector<std::string> exact) {
+    return exact.empty() ? std::string() : fmt::format(" Not drawn: {} (exact).", listed(std::move(exact)));
+}
+
 /// @param finding  what is said before the key of lines and marks
 Picture convergence_picture(const studies::StudyResults& results, std::size_t scene, PairClass pair_class,
-                            const std::vector<SizeSeries>& all, const std::vector<MethodStyle>& styles,
-                            const std::string& finding = {}) {
+                            const std::vector<SizeSeries>& all, const MethodChoice& methods,
+                            const std::vector<MethodStyle>& styles, const std::string& finding = {}) {
     const studies::Analysis& findings = results.findings;
+    auto exact = exact_methods(results, scene, pair_class);
+    std::erase_if(exact, [&](const std::string& method) { return !methods.has(method); });
     bool is_expected = false;
     bool is_printed = false;
     std::set<std::string> not_as_described;  // methods that do not give their printed figures
@@ -104,12 +111,13 @@ Picture convergence_picture(const studies::StudyResults& results, std::size_t sc
     return picture_of(
         values, "convergence", fmt::format("convergence-{}", place),
         fmt::format("Error against evaluations, {}.", place),
-        fmt::format("{}Bands and bars: {:g} % intervals{}{}{}.", finding, percents,
+        fmt::format("{}Bands and bars: {:g} % intervals{}{}{}.{}", finding, percents,
                     is_expected ? "; dashed: the slope that theory expects" : "",
                     is_printed ? "; hollow: the printed figures, one run" : "",
                     not_as_described.empty()
                         ? ""
-                        : fmt::format(" (which {} as described does not give)", fmt::join(not_as_described, ", "))),
+                        : fmt::format(" (which {} as described does not give)", fmt::join(not_as_described, ", ")),
+                    not_drawn(std::move(exact))),
         fmt::format("RMSE of a run on {} against evaluations per face, both logarithmic, with {:g} % intervals, a line "
                     "for each method; where the variance is infinite, the median of the absolute error.",
                     place, percents));
@@ -151,13 +159,18 @@ Picture picture_of_series(const studies::StudyResults& results, const studies::O
     const studies::StudyPlan& plan = results.findings.plan;
     PictureValues values({"method", "scene", "hidden", "size", "error", "low", "high"});
     MethodLines lines(method_styles(results, methods), HeightAxis::logarithmic);
+    std::vector<std::string> exact;
     for (std::size_t method = 0; method < plan.spec.methods.size(); ++method) {
         const std::string& name = plan.spec.methods[method].name;
         if (!methods.has(name)) continue;
         lines.begin(name, name);
         for (const studies::HiddenPair& scene : series.scenes) {
             const auto& found = scene.methods[method];
-            if (!found || found->size() < studies::rounding_error) continue;
+            if (!found) continue;
+            if (found->size() < studies::rounding_error) {
+                if (scene.least) exact.push_back(fmt::format("{} at {:.3g}", name, scene.hidden));
+                continue;
+            }
             const bool infinite = found->error.status == studies::VarianceStatus::infinite;
             const auto interval = infinite ? std::nullopt : found->error.interval;
             values.add({name, plan.scenes.name(scene.scene), drawn(scene.hidden, 4),
@@ -171,7 +184,8 @@ Picture picture_of_series(const studies::StudyResults& results, const studies::O
     return picture_of(
         values, "occlusion", fmt::format("occlusion-{}-{}", series.family, pair),
         fmt::format("Error against the occluded fraction: {}, {}.", series.family, pair),
-        fmt::format("{} Bars: {:g} % intervals.", series_in_words(results, series), 100 * plan.spec.level),
+        fmt::format("{} Bars: {:g} % intervals.{}", series_in_words(results, series), 100 * plan.spec.level,
+                    not_drawn(std::move(exact))),
         fmt::format("RMSE of a run (logarithmic) on {} against the occluded fraction of its form factor, "
                     "in {} scenes with another {}, a line for each method, with {:g} % intervals.",
                     pair, series.scenes.size(), series.measure, 100 * plan.spec.level));
@@ -188,7 +202,7 @@ std::vector<Picture> pictures_of_scene(const studies::StudyResults& results, std
         std::erase_if(all, [&](const SizeSeries& series) { return !methods.has(series.method); });
         if (all.empty() || (all.size() == 1 && all.front().points.size() == 1))
             continue;  // one point does not make a picture
-        pictures.push_back(convergence_picture(results, scene, pair_class, all, styles,
+        pictures.push_back(convergence_picture(results, scene, pair_class, all, methods, styles,
                                                smallest_errors_in_words(findings, all, pair_class)));
         if (auto efficiency = efficiency_picture(findings, scene, pair_class, all, styles))
             pictures.push_back(std::move(*efficiency));
@@ -210,7 +224,7 @@ std::optional<Picture> publication_picture(const studies::StudyResults& results,
                 return !compared.contains(series.method) || !methods.has(series.method);
             });
             if (all.size() < 2) continue;
-            Picture each = convergence_picture(results, scene, pair_class, all, styles);
+            Picture each = convergence_picture(results, scene, pair_class, all, methods, styles);
             each.name = where(plan, scene, pair_class);
             if (!picture) {
                 each.id = "answer";

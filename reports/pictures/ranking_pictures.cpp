@@ -231,7 +231,7 @@ std::optional<Picture> claims_picture(const studies::StudyResults& results) {
     }
     const std::string finding = fmt::format("{} of {} claims about errors {} not hold as often as they should.",
                                             failing, claims.size(), failing == 1 ? "does" : "do");
-    return rows.picture({"claimed-errors", "How often claimed errors hold",
+    return rows.picture({"claimed-errors", "How often errors are within the claimed ones",
                          "share of runs within the claimed error, on the worst pair", finding,
                          "The line across a row is the share in which the claim should hold. " + finding});
 }

@@ -196,7 +196,7 @@ Table evenness_table(const studies::StudyResults& results) {
 Table claimed_errors_table(const studies::StudyResults& results, Claims claims) {
     const studies::StudyPlan& plan = results.findings.plan;
     Table table{
-        "claimed-errors", "How often claimed errors hold",
+        "claimed-errors", "How often errors are within the claimed ones",
         fmt::format("Share of pairs and runs whose error is at most what is claimed; on the pair where it holds "
                     "least, of how many runs, with the interval of that share (Clopper-Pearson, {0:g} over "
                     "the pairs together). A claim about rays taken as random is {1:.3g} binomial standard "

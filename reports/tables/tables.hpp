@@ -58,7 +58,7 @@ Table timed_decisions_table(const studies::StudyResults& results);
 /// Which claims are shown: only those stated by methods or studies, or also the errors that a single run would suggest.
 enum class Claims { stated, all };
 
-/// How often claimed errors hold.
+/// How often errors are within the claimed ones.
 Table claimed_errors_table(const studies::StudyResults& results, Claims claims);
 
 /// Sampled standard deviations against exact ones.

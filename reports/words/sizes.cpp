@@ -82,6 +82,19 @@ std::vector<SizeSeries> size_series(const studies::StudyResults& results, std::s
     return all;
 }
 
+std::vector<std::string> exact_methods(const studies::StudyResults& results, std::size_t scene, PairClass pair_class) {
+    const studies::StudyPlan& plan = results.findings.plan;
+    std::set<std::size_t> exact;
+    for (const studies::CellAnalysis& found : results.findings.cells) {
+        const studies::Cell& cell = plan.cells[found.cell];
+        const studies::ClassError* error = cell.scene == scene ? found.class_error(pair_class) : nullptr;
+        if (error != nullptr && error->rmse < studies::rounding_error) exact.insert(cell.method);
+    }
+    std::vector<std::string> names;
+    for (const std::size_t method : exact) names.push_back(plan.spec.methods[method].name);
+    return names;
+}
+
 std::vector<std::size_t> cells_of(const studies::StudyPlan& plan, const std::vector<SizeSeries>& all,
                                   bool deterministic) {
     std::vector<std::size_t> cells;

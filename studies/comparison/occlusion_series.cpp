@@ -112,9 +112,19 @@ void judge_hidden_pair(const StudyPlan& plan, double alpha, HiddenPair& scene) {
         return ratio ? ratio->low > 1 : other.size() > best.size();
     };
     scene.decided = true;
+    const PairError* next = nullptr;
     for (std::size_t method = 0; method < scene.methods.size(); ++method) {
-        if (method != *scene.least && scene.methods[method]) scene.decided = scene.decided && errs_more(method);
+        if (method == *scene.least || !scene.methods[method]) continue;
+        scene.decided = scene.decided && errs_more(method);
+        const PairError& other = *scene.methods[method];
+        if (other.error.status == VarianceStatus::infinite || (next != nullptr && next->size() <= other.size()))
+            continue;
+        next = &other;
+        const auto log_of_next = log_rmse(other.error, is_deterministic(method));
+        scene.next = log_of_best && log_of_next ? ratio_interval(*log_of_best, *log_of_next, 1 - alpha / others)
+                                                : std::nullopt;
     }
+    if (best.size() < rounding_error) scene.next.reset();
 }
 
 /// Whether a slope is shown to be flatter than that of random points, by its interval of this level.
@@ -163,7 +173,7 @@ std::vector<OcclusionSeries> occlusion_series(const CellReader& cells, const Ana
                 const KnownFactors known = known_factors(plan.scenes[scene]);
                 const auto hidden = hidden_share(plan.scenes[scene], known, configuration.from, configuration.to);
                 if (!hidden) continue;
-                HiddenPair found{scene, *hidden, known.at(configuration.from, configuration.to).value(), {}, {}, false};
+                HiddenPair found{scene, *hidden, known.at(configuration.from, configuration.to).value(), {}, {}, false, {}};
                 for (std::size_t method = 0; method < plan.spec.methods.size(); ++method)
                     found.methods.push_back(errors.of(scene, method, series.pair, known, series.samples));
                 series.scenes.push_back(std::move(found));

@@ -39,7 +39,7 @@ constexpr std::array scene_kinds{
                 "howell"},
     Description{"FILE", "a scene file beside the study file: .obj, .vs3, .toml or a mesh",
                 "Wavefront OBJ (groups are faces), View3D, or TOML with every shape; what is in each: docs/scenes.md.\n"
-                "Exact values are known of rectangles along the axes that nothing can stand between, and of closed "
+                "Exact values are known of unoccluded rectangles along the axes, and of closed "
                 "convex rooms with\n"
                 "flat walls or of revolution.",
                 ""},
@@ -116,7 +116,7 @@ constexpr std::size_t most_faces = 256;
 
 void add_origin(const Scene& scene, ExplainedPair& pair) {
     if (!known_form_factor(scene, pair.from, pair.to)) {
-        pair.origin = "closed form, nothing can stand in between";
+        pair.origin = "closed form, unoccluded";
         pair.reference = "howell";
         return;
     }

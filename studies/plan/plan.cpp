@@ -313,7 +313,7 @@ void expect_few_patches(const StudyPlan& plan, std::size_t index) {
     if (!has_exact_patch_factors(scene)) {
         throw UserError(
             "[radiosity]: patch_trials in scene '{}' (patches have exact factors where all surfaces are parallelograms "
-            "that nothing can stand between). Leave patch_trials out.",
+            "and unoccluded). Leave patch_trials out.",
             scene.name);
     }
     if (const auto* const added = samplers::find_added(method.sampler); added != nullptr && added->content().empty()) {

@@ -41,7 +41,7 @@ class AreaKernel : public SceneEstimator {
             "tail index is 3/2 or 2, the\nvariance infinite, and no interval is shown. With Gauss-Legendre nodes on "
             "both patches it is the parametric\ndifferential method (PDM); its error near common edges falls as 1/m "
             "only. map = \"graded\" lays points s^3 from a common\nedge (s^2 from a common vertex): tail index 5/2, "
-            "finite variance. What may stand between two surfaces is looked at\npoint by point.",
+            "finite variance. Occlusion is tested\npoint by point.",
         .reference = "baranoski1992",
         .dimension = 4,
         .points = PointsServe::pairs,

@@ -11,13 +11,12 @@ class ControlVariate : public SceneEstimator {
   public:
     static constexpr EstimatorInfo info{
         .name = "control_variate",
-        .summary = "the exact factor without occlusion, less the kernel at pairs of points that are hidden",
+        .summary = "the exact factor without occlusion, less the kernel at occluded pairs of points",
         .details =
-            "The factor as if nothing stood in between is known exactly, by the contour integral; it is the control\n"
+            "The factor without occlusion is known exactly, by the contour integral; it is the control\n"
             "variate of the area kernel. A 4-D point gives a point on each patch of an ordered pair, and only where "
-            "they do\nnot see each other is the kernel subtracted. Pairs that nothing can stand between are exact, and "
-            "take no points.\nUnbiased with random points; estimates may be negative where nearly all is hidden. Where "
-            "faces touch that\nsomething may stand between the kernel has no variance. Faces have to be parallelograms "
+            "they do\nnot see each other is the kernel subtracted. Unoccluded pairs are exact and take no points.\nUnbiased with random points; estimates may be negative where nearly all is occluded. Where "
+            "faces touch that\nmay be occluded, the variance is infinite. Faces have to be parallelograms "
             "and triangles;\nsamples_per_patch counts points per pair of patches.",
         .reference = "owen2013",
         .dimension = 4,

@@ -44,8 +44,8 @@ class RaysAndKernel : public TwoWays {
             "A 4-D point gives a point on the source patch (2), and from there both a point on the target patch and a\n"
             "cosine-distributed ray (2). Each of the two finds a place on the target that it weighs by p / (p + 1/A), "
             "p the\ndensity of rays at the place and A the target's area: between 0 and 1, so that the variance is "
-            "finite wherever\nfaces touch, with every shape. Unbiased with random points. What may stand in between is "
-            "looked at point by\npoint, in double precision. samples_per_patch counts points per pair of patches.",
+            "finite wherever\nfaces touch, with every shape. Unbiased with random points. Occlusion is tested "
+            "point by\npoint, in double precision. samples_per_patch counts points per pair of patches.",
         .reference = "veach1995",
         .largest_value = 2,
     });

@@ -55,7 +55,7 @@ class SolidAngle : public SceneEstimator {
             "target\npatch as seen from there: a spherical rectangle (Ureña, Fajardo and King), or two triangles "
             "(Arvo). The value is solid angle times cosine over pi: between 0\nand 2, so that the variance is finite "
             "wherever faces touch, and every direction meets the target, however small\nit is. Unbiased with random "
-            "points. What may stand in between is looked at point by point. Faces have to be\nparallelograms and "
+            "points. Occlusion is tested point by point. Faces have to be\nparallelograms and "
             "triangles; samples_per_patch counts points per pair of patches.",
         .reference = "arvo1995",
         .dimension = 4,

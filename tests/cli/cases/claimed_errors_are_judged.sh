@@ -37,7 +37,7 @@ expect_stdout "always  of the estimator"
 study standard_error 'claimed_level = 0.68'
 finding standard_error not_refuted
 expect_stdout "68 %  of the estimator"
-expect_in_file out_standard_error/report.html "How often claimed errors hold"
+expect_in_file out_standard_error/report.html "How often errors are within the claimed ones"
 expect_in_file out_standard_error/report.html "0 of 2 claims about errors do not hold as often as they should."
 study too_small 'claimed_level = 0.68'
 finding too_small fails

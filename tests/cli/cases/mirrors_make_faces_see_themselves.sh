@@ -109,7 +109,7 @@ refused opposite.toml "images in opposite mirrors are without end"
 study 'scene = "silo.toml"' "$rays" "$light" >pieces.toml
 refused pieces.toml "patch_trials in scene 'silo.toml'"
 study 'scene = "l_shaped_room"' "$round" '[radiosity]' >corner.toml
-refused corner.toml "something may stand between its faces"
+refused corner.toml "its faces may be occluded from each other"
 ffstudy form-factors "cube mirrors:6"
 expect_status 2
 expect_stderr "does not follow reflected light"

@@ -137,8 +137,8 @@ TEST(OcclusionAdvice, NamesAnotherMethodWhereTheVarianceIsInfinite) {
     results.occlusion.emplace_back().scenes = {hidden_pair(plan, false), hidden_pair(plan, false),
                                                hidden_pair(plan, true)};
     EXPECT_EQ(occlusion_advice(results),
-              "take " + first + " on partly occluded pairs: at about equal samples per pair it errs least on 2 of 3; " +
-                  "where its variance is infinite, " + second + " (1 of 1)");
+              "take " + first + " on partly occluded pairs: at about equal samples it errs least on 2 of 3; " +
+                  "at infinite variance, " + second + " (1 of 1)");
     results.occlusion.front().scenes.back().decided = false;
     EXPECT_THAT(occlusion_advice(results), testing::Not(testing::HasSubstr(second)));
     // One win of many recommends nothing.
