@@ -108,7 +108,8 @@ std::string refusal_of(const EstimatorInfo& info, const Scene& scene) {
             info.name, scene.name);
     }
     if (!info.sees_occluders && may_be_occluded(scene))
-        return refused(info, scene, "two of its faces may be occluded from each other, and the estimator does not see occluders");
+        return refused(info, scene,
+                       "two of its faces may be occluded from each other, and the estimator does not see occluders");
     if (info.needs_polygons && !has_polygonal_faces(scene))
         return refused(info, scene, "not all of its faces are parallelograms and triangles");
     return {};

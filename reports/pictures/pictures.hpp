@@ -59,7 +59,8 @@ std::vector<Picture> errors_at_sizes(const studies::StudyResults& results, const
 /// at the common number of samples of a pair instead, for each family of scenes.
 std::vector<Picture> pictures_by_size(const studies::StudyResults& results, const MethodChoice& methods = {});
 
-/// How often errors are within the claimed ones; empty where no error is claimed but that of rays taken as random, and that holds.
+/// How often errors are within the claimed ones; empty where no error is claimed but that of rays taken as random, and
+/// that holds.
 std::optional<Picture> claims_picture(const studies::StudyResults& results);
 
 /// All groups of a report; those of the methods that the verdict compares come first.

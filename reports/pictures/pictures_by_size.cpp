@@ -181,14 +181,13 @@ Picture picture_of_series(const studies::StudyResults& results, const studies::O
     }
     lines.set(values);
     const std::string pair = quantity_label(plan.scenes[series.scenes.front().scene], series.pair);
-    return picture_of(
-        values, "occlusion", fmt::format("occlusion-{}-{}", series.family, pair),
-        fmt::format("Error against the occluded fraction: {}, {}.", series.family, pair),
-        fmt::format("{} Bars: {:g} % intervals.{}", series_in_words(results, series), 100 * plan.spec.level,
-                    not_drawn(std::move(exact))),
-        fmt::format("RMSE of a run (logarithmic) on {} against the occluded fraction of its form factor, "
-                    "in {} scenes with another {}, a line for each method, with {:g} % intervals.",
-                    pair, series.scenes.size(), series.measure, 100 * plan.spec.level));
+    return picture_of(values, "occlusion", fmt::format("occlusion-{}-{}", series.family, pair),
+                      fmt::format("Error against the occluded fraction: {}, {}.", series.family, pair),
+                      fmt::format("{} Bars: {:g} % intervals.{}", series_in_words(results, series),
+                                  100 * plan.spec.level, not_drawn(std::move(exact))),
+                      fmt::format("RMSE of a run (logarithmic) on {} against the occluded fraction of its form factor, "
+                                  "in {} scenes with another {}, a line for each method, with {:g} % intervals.",
+                                  pair, series.scenes.size(), series.measure, 100 * plan.spec.level));
 }
 
 }  // namespace

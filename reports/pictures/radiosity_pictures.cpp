@@ -59,8 +59,8 @@ constexpr const char* dashes_in_words = "Dashed: after the matrix is balanced.";
 std::optional<Picture> errors_picture(const studies::StudyResults& results, std::size_t scene,
                                       const std::vector<Shown>& shown) {
     const StudyPlan& plan = results.findings.plan;
-    PictureValues values({"method", "size", "treatment", "own", "reflectance", "absorbed", "rmse", "low", "high", "bias",
-                          "negative"});
+    PictureValues values(
+        {"method", "size", "treatment", "own", "reflectance", "absorbed", "rmse", "low", "high", "bias", "negative"});
     MethodLines lines(method_styles(results), HeightAxis::logarithmic);
     double largest = 0;
     std::string where;
@@ -72,8 +72,9 @@ std::optional<Picture> errors_picture(const studies::StudyResults& results, std:
             const double rmse = at.light_error.value_or(0);
             if (rmse < 1e-11) continue;  // rounding, or no mean
             values.add({each.method, each.size, studies::radiosity::name(each.treatment), each.own, drawn(reflectance),
-                        drawn(1 - *reflectance), drawn(rmse), drawn_low(at.light_interval), drawn_high(at.light_interval),
-                        drawn(*at.exitance.front().bias / at.exitance.front().exact), at.negative});
+                        drawn(1 - *reflectance), drawn(rmse), drawn_low(at.light_interval),
+                        drawn_high(at.light_interval), drawn(*at.exitance.front().bias / at.exitance.front().exact),
+                        at.negative});
             lines.add(rmse, at.light_interval);
             if (rmse <= largest) continue;
             largest = rmse;
@@ -84,8 +85,8 @@ std::optional<Picture> errors_picture(const studies::StudyResults& results, std:
     lines.set(values);
     return picture_of(values, "light_errors", fmt::format("light-errors{}", of_scene(plan, scene)),
                       fmt::format("How the exitance error grows with reflectance{}.", of_scene(plan, scene)),
-                      fmt::format("Errors reach {}, at reflectance {}. {} Bars: {:g} % intervals.", percent(largest), where,
-                                  dashes_in_words, 100 * plan.spec.level),
+                      fmt::format("Errors reach {}, at reflectance {}. {} Bars: {:g} % intervals.", percent(largest),
+                                  where, dashes_in_words, 100 * plan.spec.level),
                       "Relative RMSE of the exitance, over faces and runs, against the reflectance, both axes "
                       "logarithmic (in 1 − reflectance), a line for each method as it completes its matrix, and one "
                       "after the matrix is balanced.");

@@ -60,6 +60,7 @@ constexpr std::size_t most_rows = 100;
 
 /// The table, or where its rows are if it is long.
 std::string table_or_place(const Table& table, std::string_view file, const TextStyle& style) {
+    if (table.rows.empty()) return {};
     return table.rows.size() <= most_rows || style.is_endless()
                ? text_table(table, style)
                : fmt::format("({} rows: {})\n", table.rows.size(), file);

@@ -32,12 +32,6 @@ std::string_view code_of(Mark mark) {
 constexpr std::size_t gap = 2;
 constexpr std::size_t indent = 4;  // indentation of lines that continue a row
 
-/// A column as it is set.
-struct SetColumn {
-    std::size_t width = 0;
-    bool begins_line = false;
-};
-
 /// Length of the longest word.
 std::size_t longest_word(std::string_view text) {
     std::size_t longest = 0;
@@ -56,51 +50,57 @@ std::size_t width_of(const Table& table, std::size_t i, bool titles_fold) {
     return width;
 }
 
-std::vector<SetColumn> set_columns(const Table& table, std::size_t room, bool titles_fold) {
-    std::vector<SetColumn> columns;
+/// The widths of the columns that fit into a line, at least of the first.
+std::vector<std::size_t> widths_that_fit(const Table& table, std::size_t room, bool titles_fold) {
+    std::vector<std::size_t> widths;
     std::size_t end = 0;  // width of the line so far
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const std::size_t width = width_of(table, i, titles_fold);
-        const bool begins_line = i > 0 && end + gap + width > room;
-        columns.push_back({width, begins_line});
-        end = (begins_line ? indent : i == 0 ? 0 : end + gap) + width;
+        end += (i > 0 ? gap : 0) + width;
+        if (i > 0 && end > room) break;
+        widths.push_back(width);
     }
-    return columns;
+    return widths;
 }
 
-/// A row without blanks at the end of lines, and without continuing lines that would be blank.
-std::string row_text(const Table& table, const std::vector<SetColumn>& columns, const std::vector<TableCell>& row,
-                     const TextStyle& style) {
+/// The cells of the columns that fit into a line, without blanks at its end.
+std::string line_of(const Table& table, const std::vector<std::size_t>& widths, const std::vector<TableCell>& row,
+                    const TextStyle& style) {
     std::string out;
     std::size_t blanks = 0;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-        const std::size_t room = columns[i].width - std::min(columns[i].width, visible_length(row[i].text));
-        if (columns[i].begins_line) {
-            if (!out.empty() && out.back() != '\n') out += '\n';
-            blanks = indent;
-        }
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        const std::size_t room = widths[i] - std::min(widths[i], visible_length(row[i].text));
         if (table.columns[i].number) blanks += room;
         if (!row[i].text.empty()) {
-            const std::string text =
-                columns[i].begins_line ? folded_line(row[i].text, indent, indent, style.width) : row[i].text;
-            out += std::string(blanks, ' ') + painted(text, row[i].mark, style.colour);
+            out += std::string(blanks, ' ') + painted(row[i].text, row[i].mark, style.colour);
             blanks = 0;
         }
         if (!table.columns[i].number) blanks += room;
         blanks += gap;
     }
-    if (out.empty() || out.back() != '\n') out += '\n';
-    return out;
+    return out + '\n';
+}
+
+/// The other cells of a row, each after its title, on indented lines; empty where all are.
+std::string rest_of(const Table& table, std::size_t first, const std::vector<TableCell>& row, const TextStyle& style) {
+    std::string rest;
+    for (std::size_t i = first; i < row.size(); ++i) {
+        if (row[i].text.empty()) continue;
+        const TableColumn& column = table.columns[i];
+        rest += fmt::format("{}{}{}{}: {}", rest.empty() ? "" : "; ", column.group, column.group.empty() ? "" : " ",
+                            column.title, painted(row[i].text, row[i].mark, style.colour));
+    }
+    return rest.empty() ? rest : std::string(indent, ' ') + folded_line(rest, indent, indent, style.width) + '\n';
 }
 
 /// The titles of columns, a row for each of their lines. The last lines stand on the first row of the table.
-std::vector<std::vector<TableCell>> title_rows(const Table& table, const std::vector<SetColumn>& columns) {
+std::vector<std::vector<TableCell>> title_rows(const Table& table, const std::vector<std::size_t>& widths) {
     std::vector<std::vector<std::string>> lines;
     std::size_t height = 1;
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    for (std::size_t i = 0; i < widths.size(); ++i) {
         std::vector<std::string>& own = lines.emplace_back();
         for (const std::string_view word : split_at(' ', table.columns[i].title)) {
-            const bool fits = !own.empty() && visible_length(own.back()) + 1 + visible_length(word) <= columns[i].width;
+            const bool fits = !own.empty() && visible_length(own.back()) + 1 + visible_length(word) <= widths[i];
             if (fits)
                 own.back() += fmt::format(" {}", word);
             else
@@ -124,20 +124,20 @@ std::string painted(const std::string& text, Mark mark, Colour colour) {
 }
 
 std::string text_table(const Table& table, const TextStyle& style) {
-    const auto is_folded = [](const SetColumn& column) { return column.begins_line; };
-    auto columns = set_columns(table, style.width, false);
-    if (std::any_of(columns.begin(), columns.end(), is_folded)) columns = set_columns(table, style.width, true);
+    auto widths = widths_that_fit(table, style.width, false);
+    if (widths.size() < table.columns.size()) widths = widths_that_fit(table, style.width, true);
     std::vector<TableCell> groups;
     bool grouped = false;
-    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    for (std::size_t i = 0; i < widths.size(); ++i) {
         const TableColumn& column = table.columns[i];
-        const bool first = i == 0 || table.columns[i - 1].group != column.group || columns[i].begins_line;
+        const bool first = i == 0 || table.columns[i - 1].group != column.group;
         groups.push_back(first ? column.group : "");
         grouped |= !column.group.empty();
     }
-    std::string out = grouped ? row_text(table, columns, groups, style) : std::string();
-    for (const auto& titles : title_rows(table, columns)) out += row_text(table, columns, titles, style);
-    for (const auto& row : table.rows) out += row_text(table, columns, row, style);
+    std::string out = grouped ? line_of(table, widths, groups, style) : std::string();
+    for (const auto& titles : title_rows(table, widths)) out += line_of(table, widths, titles, style);
+    for (const auto& row : table.rows)
+        out += line_of(table, widths, row, style) + rest_of(table, widths.size(), row, style);
     return out;
 }
 

@@ -23,9 +23,8 @@ struct TextStyle {
 };
 
 /// The columns of a table for a terminal, as wide as they have to be: titles of groups, titles, rows. Where a row is
-/// wider than the terminal, titles are folded, and the columns that still do not fit continue on indented lines below
-/// it. Title, note and remarks
-/// are left to the caller.
+/// wider than the terminal, titles are folded, and the cells of columns that still do not fit follow on indented lines
+/// below it, each after its title. Title, note and remarks are left to the caller.
 std::string text_table(const Table& table, const TextStyle& style);
 
 }  // namespace ff::reports

@@ -17,14 +17,9 @@ namespace {
 using studies::BiasFinding;
 using studies::Rivalry;
 
-std::string ratio_text(const Rivalry& rivalry) {
-    return rivalry.interval ? to_error(*rivalry.ratio, 5 * rivalry.interval->width()) : brief(*rivalry.ratio);
-}
-
 /// "5.07 to 5.11 with 95 % confidence"
 std::string interval_text(const stats::Interval& interval) {
-    const double reach = 5 * interval.width();  // one digit of the half width, not two
-    return fmt::format("{} to {} with {:g} % confidence", to_error(interval.low, reach), to_error(interval.high, reach),
+    return fmt::format("{} to {} with {:g} % confidence", brief(interval.low), brief(interval.high),
                        100 * interval.level);
 }
 
@@ -51,7 +46,7 @@ KeyNumber contest_number(const studies::Analysis& findings, const Rivalry& rival
         number.value = fmt::format("{}: exact", better);
         number.detail = "Exact to rounding.";
     } else if (rivalry.decided()) {
-        number.value = fmt::format("{}: {} × better than {}", better, ratio_text(rivalry), method(*rivalry.worse));
+        number.value = fmt::format("{}: {} × better than {}", better, brief(*rivalry.ratio), method(*rivalry.worse));
         number.detail = rivalry.interval ? fmt::format("{}. {}", interval_text(*rivalry.interval), errors) : errors;
     } else {
         number.value = "no difference shown";
@@ -97,6 +92,7 @@ std::vector<KeyNumber> numbers_on_methods(const studies::StudyResults& results, 
     switch (finding.subject) {
         case Subject::configurations:
         case Subject::occlusion:
+        case Subject::light:
             break;
         case Subject::coverage:
         case Subject::choice:
@@ -109,7 +105,6 @@ std::vector<KeyNumber> numbers_on_methods(const studies::StudyResults& results, 
                                       : ranking_number(results, finding.subject, ranking));
             }
             break;
-        case Subject::light:
         case Subject::publication:
         case Subject::errors:
             for (const Rivalry& rivalry : results.rivals) numbers.push_back(contest_number(results.findings, rivalry));

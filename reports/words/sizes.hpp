@@ -36,8 +36,8 @@ std::vector<SizeSeries> size_series(const studies::StudyResults& results, std::s
 /// The methods that are exact to rounding on this class of pairs at some size, in the order of the study.
 std::vector<std::string> exact_methods(const studies::StudyResults& results, std::size_t scene, PairClass pair_class);
 
-/// The cells of series (indices into StudyPlan::cells), either the deterministic or the sampled ones: the single error of a
-/// deterministic method may be small by luck, so the two are not compared.
+/// The cells of series (indices into StudyPlan::cells), either the deterministic or the sampled ones: the single error
+/// of a deterministic method may be small by luck, so the two are not compared.
 std::vector<std::size_t> cells_of(const studies::StudyPlan& plan, const std::vector<SizeSeries>& all,
                                   bool deterministic);
 

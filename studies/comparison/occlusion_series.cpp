@@ -121,8 +121,8 @@ void judge_hidden_pair(const StudyPlan& plan, double alpha, HiddenPair& scene) {
             continue;
         next = &other;
         const auto log_of_next = log_rmse(other.error, is_deterministic(method));
-        scene.next = log_of_best && log_of_next ? ratio_interval(*log_of_best, *log_of_next, 1 - alpha / others)
-                                                : std::nullopt;
+        scene.next =
+            log_of_best && log_of_next ? ratio_interval(*log_of_best, *log_of_next, 1 - alpha / others) : std::nullopt;
     }
     if (best.size() < rounding_error) scene.next.reset();
 }
@@ -173,7 +173,8 @@ std::vector<OcclusionSeries> occlusion_series(const CellReader& cells, const Ana
                 const KnownFactors known = known_factors(plan.scenes[scene]);
                 const auto hidden = hidden_share(plan.scenes[scene], known, configuration.from, configuration.to);
                 if (!hidden) continue;
-                HiddenPair found{scene, *hidden, known.at(configuration.from, configuration.to).value(), {}, {}, false, {}};
+                HiddenPair found{scene, *hidden, known.at(configuration.from, configuration.to).value(), {}, {},
+                                 false, {}};
                 for (std::size_t method = 0; method < plan.spec.methods.size(); ++method)
                     found.methods.push_back(errors.of(scene, method, series.pair, known, series.samples));
                 series.scenes.push_back(std::move(found));

@@ -40,7 +40,8 @@ struct HiddenPair {
     /// all scenes of all series, and over the methods, from which it is picked (Bonferroni).
     bool decided = false;
     /// How many times as large the error of the next method is: the one with the
-    /// smallest error of those with a finite variance. At the same level; empty where there is none, or `least` is exact.
+    /// smallest error of those with a finite variance. At the same level; empty where there is none, or `least` is
+    /// exact.
     std::optional<stats::Interval> next;
 
     [[nodiscard]] bool is_partly_hidden() const { return hidden > 0 && exact > 0; }

@@ -15,7 +15,8 @@ class ControlVariate : public SceneEstimator {
         .details =
             "The factor without occlusion is known exactly, by the contour integral; it is the control\n"
             "variate of the area kernel. A 4-D point gives a point on each patch of an ordered pair, and only where "
-            "they do\nnot see each other is the kernel subtracted. Unoccluded pairs are exact and take no points.\nUnbiased with random points; estimates may be negative where nearly all is occluded. Where "
+            "they do\nnot see each other is the kernel subtracted. Unoccluded pairs are exact and take no "
+            "points.\nUnbiased with random points; estimates may be negative where nearly all is occluded. Where "
             "faces touch that\nmay be occluded, the variance is infinite. Faces have to be parallelograms "
             "and triangles;\nsamples_per_patch counts points per pair of patches.",
         .reference = "owen2013",

@@ -107,9 +107,8 @@ const std::pair<std::string, int>* most_often_least(const std::vector<std::pair<
     return !wins.empty() && 2 * static_cast<std::size_t>(wins.front().second) > pairs ? &wins.front() : nullptr;
 }
 
-/// How a method without a variance in some of these scenes is to be replaced there: "; at infinite variance, Sobol' rays
-/// (2 of 3)", by the method whose error is shown to be least in most of them; empty
-/// where no such method has one.
+/// How a method without a variance in some of these scenes is to be replaced there: "; at infinite variance, Sobol'
+/// rays (2 of 3)", by the method whose error is shown to be least in most of them; empty where no such method has one.
 std::string where_variance_is_infinite(const StudyResults& results, const std::vector<const HiddenPair*>& scenes,
                                        const std::string& taken) {
     const auto& methods = results.findings.plan.spec.methods;
@@ -144,7 +143,7 @@ std::string how_much_less(const StudyResults& results, const std::vector<const H
         hull->low = std::min(hull->low, scene->next->low);
         hull->high = std::max(hull->high, scene->next->high);
     }
-    return hull ? fmt::format("{} to {} times less than the next", brief(hull->low, 2), brief(hull->high, 2)) : "least";
+    return hull ? fmt::format("{} to {} times less than the next", brief(hull->low), brief(hull->high)) : "least";
 }
 
 }  // namespace
