@@ -43,6 +43,11 @@ std::string with_ends(double value, double low, double high, int digits) {
     return fmt::format("{} [{}, {}]", brief(value, digits), brief(low, digits), brief(high, digits));
 }
 
+std::string ends_in_words(double low, double high) {
+    return std::isfinite(high) ? fmt::format("{} to {}", brief(low), brief(high))
+                               : fmt::format("at least {}", brief(low));
+}
+
 std::string to_error_with_ends(double value, double low, double high, double error) {
     return fmt::format("{} [{}, {}]", to_error(value, error), to_error(low, error), to_error(high, error));
 }

@@ -25,6 +25,9 @@ std::string brief(double value, int digits = 3);
 /// A value and the ends of its interval or range, each brief: "0.11 [0.02, 0.31]".
 std::string with_ends(double value, double low, double high, int digits = 3);
 
+/// The ends of an interval, each brief: "2.1 to 2.4", or "at least 2.1" where it has no upper end.
+std::string ends_in_words(double low, double high);
+
 /// The same, with as many decimals as the error warrants: "0.502 [0.498, 0.506]".
 std::string to_error_with_ends(double value, double low, double high, double error);
 

@@ -92,6 +92,20 @@ std::vector<std::string> take_one(const studies::StudyPlan& plan, std::vector<Ra
     return clauses;
 }
 
+/// The same in fewer words, with the hull of its intervals; empty where one of them is not known.
+std::vector<std::string> take_one_briefly(const studies::StudyPlan& plan, const std::vector<Ranking>& rankings,
+                                          const std::string& leader) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = 0;
+    for (const Ranking& ranking : rankings) {
+        if (!ranking.ahead) return {};
+        low = std::min(low, ranking.ahead->first);
+        high = std::max(high, ranking.ahead->second);
+    }
+    return {fmt::format("take {}{}: {} it errs {} times less than the next", listed({leader}), rankings.front().at,
+                        where(plan, rankings), ends_in_words(low, high))};
+}
+
 /// A clause for each ranking, since no method is best in all.
 std::vector<std::string> each_by_itself(const studies::StudyPlan& plan, std::vector<Ranking> rankings,
                                         const Comparative& comparative, Words words) {
@@ -150,6 +164,9 @@ std::vector<std::string> advice_at(const studies::StudyPlan& plan, const std::ve
     const bool one = std::all_of(rankings.begin(), rankings.end(), has_one);
     if (common.empty() || (one && !comparative.is_enough)) return each_by_itself(plan, rankings, comparative, words);
     if (one && words != Words::names_alone) return take_one(plan, rankings, common.front());
+    if (auto clauses = one ? take_one_briefly(plan, rankings, common.front()) : std::vector<std::string>();
+        !clauses.empty())
+        return clauses;
     if (!comparative.is_enough) return {fastest(rankings, common)};
     return {fmt::format("take {}{}: {} {}", listed(common, 4, "or"), rankings.front().at, where(plan, rankings),
                         nothing_better(rankings, common, comparative))};

@@ -131,7 +131,7 @@ std::string where_variance_is_infinite(const StudyResults& results, const std::v
 }
 
 /// "1.2 to 9.5 times less than the next", over the scenes in which a method is shown to have the smallest error, from
-/// the lowest to the highest end of the intervals; "least" where none of them has an interval.
+/// the lowest to the highest end of the intervals; "least" where none of them has one.
 std::string how_much_less(const StudyResults& results, const std::vector<const HiddenPair*>& scenes,
                           const std::string& taken) {
     std::optional<stats::Interval> hull;
@@ -143,7 +143,7 @@ std::string how_much_less(const StudyResults& results, const std::vector<const H
         hull->low = std::min(hull->low, scene->next->low);
         hull->high = std::max(hull->high, scene->next->high);
     }
-    return hull ? fmt::format("{} to {} times less than the next", brief(hull->low), brief(hull->high)) : "least";
+    return hull ? ends_in_words(hull->low, hull->high) + " times less than the next" : "least";
 }
 
 }  // namespace

@@ -135,7 +135,7 @@ std::string patches_in_words(const studies::StudyPlan& plan) {
                                                        : std::string();
 }
 
-/// "; balance the factors, which leaves at most 0.2 %" where it is shown to reduce the exitance error of every compared
+/// "; balance the factors: at most 0.2 %" where it is shown to reduce the exitance error of every compared
 /// cell; empty otherwise.
 std::string balancing_in_words(const studies::StudyResults& results) {
     const studies::StudyPlan& plan = results.findings.plan;
@@ -159,7 +159,7 @@ std::string balancing_in_words(const studies::StudyResults& results) {
         if (high(balanced->settings[told]) >= low(own->settings[told])) return {};
         most = std::max(most, high(balanced->settings[told]));
     }
-    return fmt::format("; balance the factors, which leaves at most {}", percent(most, 2));
+    return fmt::format("; balance the factors: at most {}", percent(most, 2));
 }
 
 std::string bias_order_line(const studies::StudyResults& results) {

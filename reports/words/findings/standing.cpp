@@ -144,9 +144,7 @@ void rank_rates_of_class(const StudyResults& results, Ranking& ranking, double l
 /// "2.1 to 2.4", how many times the error of the second is that of the first.
 std::string times_smaller(const Ranked& first, const Ranked& second) {
     if (!second.behind) return brief(second.value / first.value);
-    const std::string low = brief(std::exp(second.behind->low));
-    const double high = std::exp(second.behind->high);
-    return std::isfinite(high) ? from_to(low, brief(high)) : fmt::format("at least {}", low);
+    return ends_in_words(std::exp(second.behind->low), std::exp(second.behind->high));
 }
 
 /// Sets what is shown of the first: "errs 4.9 times less than PDM (4.6 to 5.2)", and at what cost.
@@ -157,6 +155,7 @@ void set_margin(const StudyResults& results, const Ranked& first, const Ranked& 
                                                              as_printed(results, first, second, ranking.pair_class))
                                                : std::string();
     ranking.margin = fmt::format("errs {} less than {}{}", times, listed({ranking.methods[1].label}), interval);
+    if (second.behind) ranking.ahead = {std::exp(second.behind->low), std::exp(second.behind->high)};
     ranking.cost = at_what_cost(findings, first, second);
     ranking.again = times + interval;
 }

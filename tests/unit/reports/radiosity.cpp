@@ -91,7 +91,7 @@ TEST(Headline, BeginsWithTheExitanceError) {
     EXPECT_EQ(light->reflectance, "0.9");
     EXPECT_THAT(light->clause, testing::ContainsRegex(
                                    "at reflectance 0.9 with 4 patches per face the light errs by [0-9.]+ ± [0-9.]+ % "
-                                   "with SR, .* % with PDM; balance the factors, which leaves at most [0-9.]+ %"));
+                                   "with SR, .* % with PDM; balance the factors: at most [0-9.]+ %"));
     EXPECT_THAT(headline(lit()).verdict, testing::StartsWith("At reflectance 0.9 with 4 patches per face the "));
     // Where balancing failed in one trial, and where it is not shown to help, nothing is said of it.
     auto results = lit();

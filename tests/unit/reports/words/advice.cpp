@@ -93,6 +93,20 @@ TEST(Advice, SaysLessWhereRoomIsShort) {
                 ElementsAre("on parallel pairs take a", "on adjacent pairs take b"));
 }
 
+TEST(Advice, GivesTheWholeRangeOfMarginsWhereRoomIsShort) {
+    Ranking first = ranking(PairClass::parallel, {"a"});
+    first.margin = "errs 2 times less than b (1.5 to 3)";
+    first.ahead = {1.5, 3};
+    Ranking second = ranking(PairClass::adjacent, {"a"});
+    second.margin = "errs 4 times less than b (2 to 5)";
+    second.ahead = {2, 5};
+    EXPECT_THAT(advice(plan(), {first, second}, errs_less, Words::names_alone),
+                ElementsAre("take a: on parallel and adjacent pairs it errs 1.5 to 5 times less than the next"));
+    second.ahead.reset();
+    EXPECT_THAT(advice(plan(), {first, second}, errs_less, Words::names_alone),
+                ElementsAre("take a: on parallel and adjacent pairs nothing is shown to err less (RMSE between 1 and 3)"));
+}
+
 TEST(Advice, KeepsSizesApart) {
     Ranking few = ranking(PairClass::parallel, {"a", "b"});
     few.at = " with 64 rays";
