@@ -46,7 +46,7 @@ std::string as_printed(const studies::StudyResults& results, const studies::Rank
         return errors.differs ? errors.printed_rms : one.value;
     };
     const double times = error_of(second) / error_of(first);
-    return differs ? fmt::format("; {} by its printed figures", brief(times, 2)) : std::string();
+    return differs ? fmt::format("; in print {}", brief(times, 2)) : std::string();
 }
 
 }  // namespace ff::reports

@@ -22,7 +22,7 @@ struct PrintedErrors {
 /// @pre results.published
 PrintedErrors printed_errors(const studies::StudyResults& results, std::size_t cell, PairClass pair_class);
 
-/// "; 1.3 by its printed figures", how many times the error of the second is that of the first where a deterministic
+/// "; in print 1.3", how many times the error of the second is that of the first where a deterministic
 /// method has the errors of its printed figures; empty where these are what the method gives.
 std::string as_printed(const studies::StudyResults& results, const studies::Ranked& first,
                        const studies::Ranked& second, PairClass pair_class);
