@@ -80,7 +80,8 @@ void add_command(CLI::App& app, const CommandDefinition& definition, Relations r
 /// The definitions in the form of the library; what is parsed goes to their targets.
 std::unique_ptr<CLI::App> make_app(const ProgramDefinition& program, Relations relations) {
     auto app = std::make_unique<CLI::App>(program.summary, program_name);
-    app->set_version_flag("-V,--version", program.version);
+    app->set_help_flag("-h,--help", "Show this help");
+    app->set_version_flag("-V,--version", program.version, "Show the version (alone also -v)");
     app->require_subcommand(0, 1);  // an unknown option is named first; that a command is missing, later
     app->footer(program.footer);
     for (const CommandDefinition& command : program.commands) add_command(*app, command, relations);

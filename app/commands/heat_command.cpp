@@ -248,6 +248,7 @@ ExitCode find_flows(const HeatCommand& command) {
         if (!command.factors.quiet)
             say("note: the form factors are those of an earlier run in {}.\n", command.factors.out.string());
     }
+    if (!is_loaded && !is_there) studies::heat::expect_surroundings(kept.scene, cases);
     const bool by_signal = !is_loaded && !is_there && compute_form_factors(command.factors, kept, find);
     if (sampled) kept.request.tolerance = sampled->factor_tolerance;
     for (const std::string& warning : reports::form_factor_warnings({kept.scene, kept.request, kept.matrix})) {

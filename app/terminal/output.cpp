@@ -37,6 +37,11 @@ std::string for_message(std::string_view text) {
     return studies::visible_text(text.substr(0, first)) + " … " + studies::visible_text(text.substr(last));
 }
 
+void say_folded(std::string_view text) {
+    const bool is_folded = ::isatty(STDERR_FILENO) == 1 && !text.starts_with('\r');  // which begins a progress bar
+    std::fputs((is_folded ? reports::folded(text, width_of(STDERR_FILENO)) : std::string(text)).c_str(), stderr);
+}
+
 void be_verbose() {
     verbose = true;
 }

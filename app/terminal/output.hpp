@@ -26,10 +26,13 @@ decltype(auto) shown(const Value& value) {
         return (value);
 }
 
-/// Prints to stderr. A message that cannot be printed, e.g. because the disk is full, does not end a run.
+/// Prints to stderr; lines that are wider than the terminal are folded between words.
+void say_folded(std::string_view text);
+
+/// The same. A message that cannot be printed, e.g. because the disk is full, does not end a run.
 template <typename... T>
 void say(fmt::format_string<T...> format, T&&... values) {
-    std::fputs(fmt::format(fmt::runtime(fmt::string_view(format)), shown(values)...).c_str(), stderr);
+    say_folded(fmt::format(fmt::runtime(fmt::string_view(format)), shown(values)...));
 }
 
 /// --verbose: from now on `say_more` prints.

@@ -103,6 +103,8 @@ std::string independent_in_words(const RunComparison& comparison, const CellComp
                                      ? std::string()
                                      : fmt::format(" on {} of {} pairs, {} on the others", cell.pairs - cell.untestable,
                                                    cell.pairs, why_untested(cell));
+    if (cell.difference.pairs == 0 && cell.ratio.pairs == 0)
+        return fmt::format("inconclusive{} (too few trials to detect any difference)", untested);
     return fmt::format("{}{} (would detect {} in a mean, {} in a standard deviation)",
                        cell.likeness == Likeness::alike ? "no difference found" : "inconclusive", untested,
                        detectable_in_words(cell, cell.difference, ""),

@@ -208,8 +208,8 @@ std::string verdict(const RunComparison& comparison) {
                            different == 1    ? "differs"
                            : untestable == 1 ? "cannot be tested"
                                              : "shows no difference");
-    return fmt::format("{}Of {} methods and sizes in both runs {} {}{}.", said, comparison.cells.size(), different,
-                       different == 1 ? "differs" : "differ",
+    return fmt::format("{}Of the {} methods and sizes in both runs, {} {}{}.", said, comparison.cells.size(),
+                       different == 0 ? "none" : std::to_string(different), different > 1 ? "differ" : "differs",
                        untestable == 0 ? "" : fmt::format("; {} cannot be tested", untestable));
 }
 

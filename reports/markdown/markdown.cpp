@@ -27,12 +27,14 @@ std::string bias_line(const studies::Analysis& findings) {
     const auto biased = tally.found[studies::BiasFinding::biased];
     const std::string lost = tally.lost_rays ? fmt::format(" Lost rays: {}.", *tally.lost_rays) : std::string();
     if (tally.found[studies::BiasFinding::untestable] == tally.sampled)
-        return fmt::format("- Bias: not tested in any of {} sampled methods and sizes.{}\n", tally.sampled, lost);
-    std::string out = fmt::format(
-        "- Bias: {}none found in {} of {} sampled methods and sizes{} ({:g} % over all of them)",
-        biased > 0 ? fmt::format("found in {}, ", biased) : "", tally.found[studies::BiasFinding::no_bias_found],
-        tally.sampled, tally.partly > 0 ? fmt::format(", in {} of them on a part of the pairs", tally.partly) : "",
-        100 * (1 - findings.plan.spec.level));
+        return fmt::format("- Bias: not tested in any of {} {}.{}\n", tally.sampled, counted_cells(findings.plan),
+                           lost);
+    std::string out =
+        fmt::format("- Bias: {}none found in {} of {} {}{} ({:g} % over all of them)",
+                    biased > 0 ? fmt::format("found in {}, ", biased) : "",
+                    tally.found[studies::BiasFinding::no_bias_found], tally.sampled, counted_cells(findings.plan),
+                    tally.partly > 0 ? fmt::format(", in {} of them on a part of the pairs", tally.partly) : "",
+                    100 * (1 - findings.plan.spec.level));
     if (const auto untested = tally.found[studies::BiasFinding::untestable]; untested > 0)
         out += fmt::format("; {} cannot be tested", untested);
     if (const auto open = tally.found[studies::BiasFinding::inconclusive]; open > 0)

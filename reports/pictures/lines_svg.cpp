@@ -34,7 +34,7 @@ constexpr double width = 640;
 constexpr double left = 60;
 constexpr double right = width - 130;  // labels stand beyond it
 constexpr double top = 10;
-constexpr double bottom = 270;
+constexpr double bottom = 330;          // as high as in the page, so that labels stand apart
 constexpr double height = bottom + 40;  // with the title of the axis
 
 const LineChart* chart_of(const Picture& picture) {

@@ -78,9 +78,15 @@ std::set<std::size_t> coloured(const StudyResults& results, const MethodChoice& 
     for (std::size_t i = 0; i < methods.size(); ++i) {
         if (is_of_user(methods[i])) add(i);
     }
-    for (const Ranking& ranking : answer(results).finding.rankings) {
+    const MainFinding finding = answer(results).finding;
+    for (const Ranking& ranking : finding.rankings) {
         for (const RankedMethod& row : ranking.methods) {
             if (std::ranges::find(ranking.leaders, row.label) != ranking.leaders.end()) add(row.method);
+        }
+    }
+    if (finding.subject == Subject::configurations) {  // its picture names the method of each mark
+        for (const Ranking& ranking : finding.rankings) {
+            for (const RankedMethod& row : ranking.methods) add(row.method);
         }
     }
     for (const std::size_t method : named_by_captions(results)) add(method);

@@ -142,7 +142,7 @@ Table agreement_table(const studies::StudyResults& results) {
                               of_sampled(sampled - tally.agree - tally.biased),
                               off_by(*tally.furthest)});
     }
-    return table;
+    return without_idle_columns(std::move(table));
 }
 
 Table occlusion_table(const studies::StudyResults& results) {

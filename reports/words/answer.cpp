@@ -77,7 +77,7 @@ std::optional<MainFinding> on_coverage(const StudyResults& results) {
         .clauses = {coverage_advice(results)},
         .rankings = least_coverage(results),
         .title = "Least coverage of each rule with R replicates.",
-        .axis = "share of intervals that contain the exact value",
+        .axis = "least coverage",
         .note = bars(results) +
                 " Grey ticks: what the intervals promise. Beside each mark: the method with least coverage; * where "
                 "that is significantly too little.",

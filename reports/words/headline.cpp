@@ -118,7 +118,7 @@ KeyNumber bias_number(const studies::Analysis& findings) {
     BiasTally tally = tally_of(findings);
     if (tally.sampled == 0) return {};
     KeyNumber number;
-    number.label = "biased sampled methods and sizes";
+    number.label = counted_cells(findings.plan) + " are biased";
     number.value = fmt::format("{} of {}", tally.found[BiasFinding::biased], tally.sampled);
     number.detail = fmt::format("Risk of any false alarm: {:g} %", 100 * (1 - findings.plan.spec.level));
     if (!tally.detectable.empty()) {
@@ -167,11 +167,11 @@ Headline headline(const studies::StudyResults& results) {
     for (KeyNumber& number : numbers_on_methods(results, said.finding, most_on_methods))
         out.numbers.push_back(std::move(number));
     if (const auto slowest = slowest_where_occluded(results)) {
-        out.numbers.push_back({fmt::format("{} suffers most", slowest->method),
-                               fmt::format("from occlusion: on {} of {} pairs its error falls more slowly than N^{:g}",
-                                           slowest->slow, slowest->pairs, studies::slope_of_random),
-                               "The rate of random points with finite variance. No other method falls short of it on "
-                               "as many pairs."});
+        out.numbers.push_back(
+            {fmt::format("{} suffers most: on {} of {} pairs", slowest->method, slowest->slow, slowest->pairs),
+             "its error falls more slowly than that of random points, where occluded",
+             fmt::format("That is N^{:g} with finite variance. No other method falls short of it on as many pairs.",
+                         studies::slope_of_random)});
     }
     if (KeyNumber bias = bias_number(results.findings); !bias.value.empty()) out.numbers.push_back(std::move(bias));
     if (results.published && results.published->audit.figures > 0) {

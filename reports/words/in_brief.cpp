@@ -131,8 +131,10 @@ std::string verdicts_in_words(const studies::StudyPlan& plan, const std::vector<
         }
     }
     if (judged == 0) return {};
-    std::string words = fmt::format("Of {} with a theory {} {} as expected", counted(judged, "rate"), expected,
-                                    expected == 1 ? "is" : "are");
+    std::string words = expected == judged && judged > 1
+                            ? fmt::format("All {} rates that theory predicts are as expected", judged)
+                            : fmt::format("Of {} that theory predicts, {} {} as expected", counted(judged, "rate"),
+                                          expected, expected == 1 ? "is" : "are");
     for (const auto& [which, same] : others) {
         const bool one = same.methods.size() == 1;
         words +=

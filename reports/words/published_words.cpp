@@ -62,8 +62,8 @@ std::string surprising_figures(const studies::PublishedResults& published, doubl
         }
     }
     std::string text = fmt::format(
-        "Of {} printed figures of sampled methods, {} lie outside what a run as described gives ({:g} % a table, Holm)",
-        sampled, surprising.size(), 100 * alpha);
+        "Of {} printed figures of sampled methods, {} {} outside what a run as described gives ({:g} % a table, Holm)",
+        sampled, surprising.size(), surprising.size() == 1 ? "lies" : "lie", 100 * alpha);
     return surprising.empty() ? text : fmt::format("{}: {}", text, fmt::join(surprising, "; "));
 }
 
@@ -217,8 +217,6 @@ std::string claims_sentence(const studies::PublishedResults& published) {
     if (published.claims.size() == 1)
         return fmt::format("The publication's claim is {}.", studies::name(published.claims.front().verdict));
     const auto all = static_cast<std::ptrdiff_t>(published.claims.size());
-    if (count(studies::ClaimVerdict::supported) == all)
-        return fmt::format("The publication's {} claims are supported.", all);
     std::vector<std::string> parts;
     for (const auto& [verdict, words] : {std::pair{studies::ClaimVerdict::supported, "supported"},
                                          std::pair{studies::ClaimVerdict::as_printed_only,
@@ -226,6 +224,7 @@ std::string claims_sentence(const studies::PublishedResults& published) {
                                          std::pair{studies::ClaimVerdict::refuted, "refuted"},
                                          std::pair{studies::ClaimVerdict::inconclusive, "inconclusive"}}) {
         const auto number = count(verdict);
+        if (number == all) return fmt::format("The publication's {} claims are {}.", all, words);
         if (number > 0 && parts.empty()) {
             parts.push_back(fmt::format("{} {} {}", number, number == 1 ? "is" : "are", words));
         } else if (number > 0) {

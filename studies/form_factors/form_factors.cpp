@@ -91,8 +91,19 @@ double half_width(const FaceExchange& exchange) {
 namespace {
 
 constexpr std::string_view no_time = "no time to sample it";
-/// A reason in files of earlier versions, in which rays served pairs that cells serve now.
-constexpr std::string_view rays_of_row = "the rays of its row do as well";
+/// Reasons in the words of files of earlier versions.
+constexpr std::array earlier_reasons{
+    std::pair{"aligned rectangles with nothing in between", ExchangeReason::aligned},
+    std::pair{"polygons with nothing in between", ExchangeReason::polygons},
+    std::pair{"polygons far apart with nothing in between", ExchangeReason::far},
+    std::pair{"less than the tolerance, whatever stands in between", ExchangeReason::small},
+    std::pair{"polygons, something may stand in between", ExchangeReason::blocked},
+    std::pair{"much may stand in between", ExchangeReason::many_blockers},
+    std::pair{"with a disc or a sphere, nothing in between", ExchangeReason::round},
+    std::pair{"round surfaces about one axis with nothing in between", ExchangeReason::coaxial},
+    std::pair{"disc or sphere, and a flat surface, with nothing in between", ExchangeReason::round},
+    std::pair{"the rays of its row do as well", ExchangeReason::blocked},  // pairs that cells serve now
+};
 
 }  // namespace
 
@@ -107,7 +118,8 @@ std::string_view reason_of(const FaceExchange& exchange) {
 bool set_method(FaceExchange& exchange, std::string_view method, std::string_view reason) {
     exchange.method.reset();
     if (reason == no_time) return method == name(ExchangeMethod::bounds);
-    if (reason == rays_of_row) reason = in_words(ExchangeReason::blocked);
+    const auto earlier = std::ranges::find(earlier_reasons, reason, &std::pair<const char*, ExchangeReason>::first);
+    if (earlier != earlier_reasons.end()) reason = in_words(earlier->second);
     const auto known_method = std::find(exchange_methods.begin(), exchange_methods.end(), method);
     const auto known_reason = std::find(exchange_reasons.begin(), exchange_reasons.end(), reason);
     if (known_method == exchange_methods.end() || known_reason == exchange_reasons.end()) return false;

@@ -94,10 +94,9 @@ std::optional<VectorXd> hidden_widths(const Sensitivity& sensitivity, const Matr
     }
     constexpr double rounding = 1e-12;
     constexpr double small = 0.05;  // share of the differences that drive flows
-    const VectorXd& radiosity = sensitivity.radiosity();
     const VectorXd widths = sensitivity.irradiation_widths(bounds, missed);
-    if (!(widths.maxCoeff() <= small * (radiosity.maxCoeff() - radiosity.minCoeff()) + rounding)) return std::nullopt;
-    return widths.array() + rounding * radiosity.cwiseAbs().maxCoeff();
+    if (!(widths.maxCoeff() <= small * sensitivity.largest_difference() + rounding)) return std::nullopt;
+    return widths.array() + rounding * sensitivity.radiosity().cwiseAbs().maxCoeff();
 }
 
 /// Values of a quantity, each without one of the randomisations.

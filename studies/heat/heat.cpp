@@ -5,6 +5,7 @@
 #include "core/support/error.hpp"
 #include "studies/heat/factor_intervals.hpp"
 #include "studies/heat/flow_statistics.hpp"
+#include "studies/scene_files/orientation.hpp"
 
 #include <fmt/format.h>
 
@@ -34,6 +35,10 @@ double emitted_by(const Material& material) {
     return *material.emissivity * power_of_black_body(*material.temperature);
 }
 
+bool lacks_surroundings(const Materials& materials) {
+    return !materials.surroundings && !materials.are_light();
+}
+
 void expect_solvable(const Scene& scene, const FactorBounds& factors, const FaceLaws& laws,
                      const Materials& materials) {
     const auto face = [&](Index i) { return scene.faces[static_cast<std::size_t>(i)]; };
@@ -45,7 +50,7 @@ void expect_solvable(const Scene& scene, const FactorBounds& factors, const Face
                 "probability of 0.999999). See the warnings of 'ffstudy form-factors' on this scene; a larger "
                 "--tolerance allows for gaps of rounded corners.",
                 scene.name, face(i), factors.low.row(i).sum(), factors.high.row(i).sum());
-        if (materials.surroundings || materials.are_light() || !sees_out(factors, i)) continue;
+        if (!lacks_surroundings(materials) || !sees_out(factors, i)) continue;
         if (factors.low.coeff(i, n) == 0)
             throw UserError(
                 "scene '{}': face '{}' may see out of the scene, with at most {:.3g} of its radiation. Add --closed "
@@ -246,6 +251,15 @@ Flows find_flows(const Scene& scene, const form_factors::Matrix& matrix, const M
     if (!found.statistical) found.widened = widened;
     sum_up(found, laws);
     return found;
+}
+
+void expect_surroundings(const Scene& scene, const std::vector<Materials>& cases) {
+    if (scene.closed || std::ranges::none_of(cases, lacks_surroundings)) return;
+    if (const auto open = face_open_to_outside(scene))
+        throw UserError(
+            "scene '{}': face '{}' sees out of the scene, with more than half of the radiation of one of its surfaces. "
+            "Give surroundings = a temperature in the materials file.",
+            scene.name, scene.faces[*open]);
 }
 
 std::vector<SolvedCase> solve_cases(const Scene& scene, const form_factors::Matrix& matrix,

@@ -128,6 +128,10 @@ FaceLaws laws_of(const Materials& materials);
 Flows find_flows(const Scene& scene, const form_factors::Matrix& matrix, const Materials& materials, double scale,
                  const FlowIntervals& intervals = {});
 
+/// Looks for missing surroundings before factors are computed, for which large scenes take minutes.
+/// @throws UserError where more than half of the rays from a surface leave the scene, and a case does not say to what
+void expect_surroundings(const Scene& scene, const std::vector<Materials>& cases);
+
 /// The flows of all cases, from the same form factors. @throws UserError as find_flows, which names the case
 std::vector<SolvedCase> solve_cases(const Scene& scene, const form_factors::Matrix& matrix,
                                     std::vector<Materials> cases, double scale, const FlowIntervals& intervals = {});

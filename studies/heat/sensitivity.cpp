@@ -61,6 +61,13 @@ double Sensitivity::throughput() const {
     return power_.cwiseMax(0).sum() + std::max(0.0, -power_.sum());
 }
 
+double Sensitivity::largest_difference() const {
+    const double among_faces = radiosity_.maxCoeff() - radiosity_.minCoeff();
+    if (!sees_out_) return among_faces;
+    return std::max(
+        {among_faces, radiosity_.maxCoeff() - laws_.surroundings, laws_.surroundings - radiosity_.minCoeff()});
+}
+
 VectorXd Sensitivity::widths(const std::vector<double>& half_widths) const {
     VectorXd of_rows = VectorXd::Zero(areas_.size());
     for (std::size_t p = 0; p < half_widths.size(); ++p) {

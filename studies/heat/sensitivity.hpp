@@ -29,6 +29,8 @@ class Sensitivity {
     [[nodiscard]] const Eigen::VectorXd& radiosity() const { return radiosity_; }  ///< W/m²
     [[nodiscard]] const Eigen::VectorXd& absorbing() const { return absorbing_; }  ///< m²
     [[nodiscard]] double throughput() const;
+    /// W/m²: largest difference of what faces receive radiation from, the surroundings among them; it drives the flows.
+    [[nodiscard]] double largest_difference() const;
 
     /// W: half widths of all powers. @param half_widths  of exchange areas
     [[nodiscard]] Eigen::VectorXd widths(const std::vector<double>& half_widths) const;

@@ -42,11 +42,13 @@ Scene turned_round(Scene scene) {
     return scene;
 }
 
-void probe(const Scene& scene, std::size_t side, SideProbes& probes) {
+/// Shoots rays from surfaces of faces: `visit(surface, hits)` returns whether to go on.
+template <class Visit>
+void shoot_from_faces(const Scene& scene, Visit visit) {
     const auto tracer = make_tracer(scene, TracerChoice::automatic);
     const auto block = points();
     std::vector<Hit> hits(rays_of_a_surface);
-    std::vector<double> areas(probes.faces);
+    std::vector<double> areas(scene.faces.size());
     for (const Surface& surface : scene.surfaces) {
         if (is_of_face(surface)) areas[static_cast<std::size_t>(surface.face)] += area(surface.shape);
     }
@@ -54,24 +56,33 @@ void probe(const Scene& scene, std::size_t side, SideProbes& probes) {
     for (std::size_t s = 0; s < scene.surfaces.size(); s += step) {
         const Surface& surface = scene.surfaces[s];
         if (!is_of_face(surface)) continue;
-        const auto from = static_cast<std::size_t>(surface.face);
-        if (area(surface.shape) < least_share_probed * areas[from]) continue;
+        if (area(surface.shape) < least_share_probed * areas[static_cast<std::size_t>(surface.face)]) continue;
         tracer->find_ends(surface, static_cast<std::uint32_t>(s), undivided, 0, *block, hits);
-        probes.rays[2 * from + side] += hits.size();
-        std::size_t lost = 0;
-        for (const Hit& hit : hits) {
-            if (hit.surface == no_surface) {
-                ++lost;
-            } else if (is_of_face(scene.surfaces[hit.surface])) {
-                const auto to = static_cast<std::size_t>(scene.surfaces[hit.surface].face);
-                ++probes.met(from, side, to, hit.received ? side : 1 - side);
-            }
-        }
-        probes.lost[2 * from + side] += lost;
-        if (side != 0) continue;
-        probes.area += area(surface.shape);
-        probes.area_lost += area(surface.shape) * static_cast<double>(lost) / static_cast<double>(hits.size());
+        if (!visit(surface, hits)) return;
     }
+}
+
+std::size_t count_lost(const std::vector<Hit>& hits) {
+    return static_cast<std::size_t>(std::ranges::count(hits, no_surface, &Hit::surface));
+}
+
+void probe(const Scene& scene, std::size_t side, SideProbes& probes) {
+    shoot_from_faces(scene, [&](const Surface& surface, const std::vector<Hit>& hits) {
+        const auto from = static_cast<std::size_t>(surface.face);
+        for (const Hit& hit : hits) {
+            if (hit.surface == no_surface || !is_of_face(scene.surfaces[hit.surface])) continue;
+            const auto to = static_cast<std::size_t>(scene.surfaces[hit.surface].face);
+            ++probes.met(from, side, to, hit.received ? side : 1 - side);
+        }
+        const std::size_t lost = count_lost(hits);
+        probes.rays[2 * from + side] += hits.size();
+        probes.lost[2 * from + side] += lost;
+        if (side == 0) {
+            probes.area += area(surface.shape);
+            probes.area_lost += area(surface.shape) * static_cast<double>(lost) / static_cast<double>(hits.size());
+        }
+        return true;
+    });
 }
 
 /// Rays that end where none should, given the side that each face radiates to.
@@ -143,6 +154,15 @@ std::vector<std::size_t> turned_faces(const SideProbes& probes, bool closed) {
         if (explains && (best.empty() || turned.size() < best.size())) best = turned;
     }
     return best;
+}
+
+std::optional<std::size_t> face_open_to_outside(const Scene& given) {
+    std::optional<std::size_t> open;
+    shoot_from_faces(placed(given), [&](const Surface& surface, const std::vector<Hit>& hits) {
+        if (2 * count_lost(hits) > hits.size()) open = static_cast<std::size_t>(surface.face);
+        return !open;
+    });
+    return open;
 }
 
 }  // namespace ff::studies

@@ -3,6 +3,7 @@
 #include "core/geometry/fwd.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -53,6 +54,10 @@ struct SideProbes {
 /// Shoots 64 rays from both sides of each surface of a face, or of a subset where there are more than 1000 surfaces.
 /// The same rays for the same scene.
 SideProbes probe_sides(const Scene& given);
+
+/// A face from a surface of which more than half of 64 rays meet nothing, which no gap of rounding explains. Empty
+/// where none was found, though some face may see out. At most 1000 surfaces are looked at.
+std::optional<std::size_t> face_open_to_outside(const Scene& given);
 
 /// The faces that seem to be reversed: with them flipped, at most a tenth as many rays end on backs (or, in a closed
 /// scene, nowhere), and at least half of those on fronts. Empty where fewer than one ray in 20 ends so, or where

@@ -37,7 +37,7 @@ const verdict = page => page.$eval('.verdict', node =>
 
 const tasks = [
   {study: 'low_discrepancy', asks: 'Which sampler is best for adjacent faces at 4096 rays?',
-   async reads(page) { return (await verdict(page)).match(/Take (\w+): on parallel and adjacent pairs/)?.[1]; },
+   async reads(page) { return (await verdict(page)).match(/Take (\w+): at 4096 rays it errs .* on parallel and adjacent pairs/)?.[1]; },
    knows: json => errorsAt(json, 'adjacent', 4096).sort((a, b) => a.rmse - b.rmse)[0].label},
   {study: 'convergence_rays', asks: 'Which of all samplers is, once that number of rays is chosen?',
    async reads(page) {
@@ -58,10 +58,9 @@ const tasks = [
      .sort((a, b) => a.rmse - b.rmse)[0].method},
   {study: 'occlusion', asks: 'Does PDM suffer from occlusion?',
    async reads(page) {
-     const cards = await page.$$eval('.numbers li', nodes => nodes
-       .filter(node => node.querySelector('b').getBoundingClientRect().bottom <= window.innerHeight)
-       .map(node => node.textContent));
-     return cards.some(text => /PDM suffers most.*from occlusion: on \d+ of \d+ pairs/.test(text));
+     const facts = await page.$$eval('.numbers li b', nodes => nodes
+       .filter(node => node.getBoundingClientRect().bottom <= window.innerHeight).map(node => node.textContent));
+     return facts.some(text => /^PDM suffers most: on \d+ of \d+ pairs$/.test(text));
    },
    knows: () => true},
   {study: 'radiosity_consequences', asks: 'What do errors by SR do to the light at reflectance 0.9?',

@@ -61,12 +61,12 @@ class PointToPolygon : public SceneEstimator {
     void observe(const EstimatorTask& task, Outcome& outcome, PatchTotals& totals) const;
 };
 
-/// `point_to_polygon` with shadows cut out: the method `points` of `ffstudy form-factors`.
+/// `point_to_polygon` with occluded parts cut out: the method `points` of `ffstudy form-factors`.
 class PointToVisiblePolygon : public SceneEstimator {
   public:
     static constexpr EstimatorInfo info{
         .name = "visible_polygon",
-        .summary = "exact factors from points of the source to what they see of each face (shadows cut out)",
+        .summary = "exact factors from points of the source to what they see of each face (occluded parts cut out)",
         .details =
             "A 2-D point lies on the source patch; from there the shadow of everything that stands in the way is cut "
             "out of\neach face, and Lambert's formula gives the factor to what is left, exactly. Points are shared by "

@@ -34,6 +34,29 @@ bool is_exact(const Ranking& ranking) {
     return !ranking.methods.front().value;
 }
 
+/// Of more methods than this one is named.
+constexpr std::size_t most_named = 3;
+
+/// One of several methods, with the number of those that are as good as it: "r_sequence (5 more are not shown to
+/// differ)"; all of up to three.
+std::string one_of(const std::vector<std::string>& labels) {
+    if (labels.size() <= most_named) return listed(labels, most_named, "or");
+    return fmt::format("{} ({} more are not shown to differ)", listed({labels.front()}), labels.size() - 1);
+}
+
+/// " at 4096 rays", where all methods have one size, without the only patch of a face.
+std::string at_the_size(const std::vector<Ranking>& rankings) {
+    std::string size = rankings.front().methods.front().size;
+    for (const Ranking& ranking : rankings) {
+        for (const RankedMethod& method : ranking.methods) {
+            if (method.size != size) return {};
+        }
+    }
+    constexpr std::string_view one_patch = "1 × ";
+    if (size.starts_with(one_patch)) size.erase(0, one_patch.size());
+    return size.empty() ? size : " at " + size;
+}
+
 /// "-0.72 to -0.58", the hull of the intervals of these methods; empty where one has no value.
 std::string range_of(const std::vector<Ranking>& rankings, const std::vector<std::string>& labels,
                      std::string_view between) {
@@ -102,8 +125,8 @@ std::vector<std::string> take_one_briefly(const studies::StudyPlan& plan, const 
         low = std::min(low, ranking.ahead->first);
         high = std::max(high, ranking.ahead->second);
     }
-    return {fmt::format("take {}{}: {} it errs {} times less than the next", listed({leader}), rankings.front().at,
-                        where(plan, rankings), ends_in_words(low, high))};
+    return {fmt::format("take {}{}:{} it errs {} times less than the next {}", listed({leader}), rankings.front().at,
+                        at_the_size(rankings), ends_in_words(low, high), where(plan, rankings))};
 }
 
 /// A clause for each ranking, since no method is best in all.
@@ -139,11 +162,12 @@ std::vector<std::string> each_by_itself(const studies::StudyPlan& plan, std::vec
 
 /// Methods that no other is shown to converge faster than, with their rates on each kind of pairs.
 std::string fastest(const std::vector<Ranking>& rankings, const std::vector<std::string>& methods) {
+    const auto named = methods.size() > most_named ? std::vector{methods.front()} : methods;
     std::vector<std::string> rates;
     for (const Ranking& ranking : rankings)
         rates.push_back(fmt::format("{}{} on {} pairs{}", rates.empty() ? "slope " : "",
-                                    range_of({ranking}, methods, "to"), name(ranking.pair_class), ranking.measured));
-    return fmt::format("for the fastest convergence take {}: {}", listed(methods, 4, "or"), fmt::join(rates, ", "));
+                                    range_of({ranking}, named, "to"), name(ranking.pair_class), ranking.measured));
+    return fmt::format("for the fastest convergence take {}: {}", one_of(methods), fmt::join(rates, ", "));
 }
 
 /// The advice on rankings in which the same is equal.

@@ -62,6 +62,15 @@ Range range_of(const studies::StudyResults& results, IntervalRule rule, std::opt
     return range;
 }
 
+std::string share_in_words(const Coverage& row) {
+    return fmt::format("{:.1f} %", 100 * row.share());
+}
+
+/// " (91.4 to 95.0)"
+std::string ends_of_share(const Coverage& row) {
+    return fmt::format(" ({:.1f} to {:.1f})", 100 * row.coverage_interval.low, 100 * row.coverage_interval.high);
+}
+
 }  // namespace
 
 std::string coverage_advice(const studies::StudyResults& results) {
@@ -70,12 +79,12 @@ std::string coverage_advice(const studies::StudyResults& results) {
     auto numbers = results.findings.plan.spec.coverage;
     std::sort(numbers.begin(), numbers.end());
     for (const std::uint64_t fewest : numbers) {
-        std::optional<std::pair<double, IntervalRule>> worst;  // least coverage
+        std::optional<std::pair<const Coverage*, IntervalRule>> worst;  // least coverage
         for (const IntervalRule rule : all_rules) {
             const Range here = range_of(results, rule, fewest);
             if (here.rows.empty() || here.tells_nothing() || here.short_of == 0) continue;
-            const double least = here.rows.front()->share();
-            if (!worst || least < worst->first) worst.emplace(least, rule);
+            const Coverage* least = here.rows.front();
+            if (!worst || least->share() < worst->first->share()) worst.emplace(least, rule);
         }
         for (const IntervalRule rule : all_rules) {
             if (range_of(results, rule, {}, fewest).short_of > 0) continue;
@@ -88,12 +97,13 @@ std::string coverage_advice(const studies::StudyResults& results) {
             const stats::Interval share = stats::clopper_pearson_interval(all, level);
             if (share.low < level - least_precision || share.high < level - tolerated) continue;
             const Coverage& least = *range_of(results, rule, {}, fewest).rows.front();
-            std::string text = fmt::format(
-                "from {} replicates on take {}{}: at worst its {:g} % intervals hold in {:.1f} % of runs ({:.1f} to "
-                "{:.1f})",
-                fewest, rule_in_words(rule), without_variance ? " where the variance is finite" : "", 100 * level,
-                100 * least.share(), 100 * least.coverage_interval.low, 100 * least.coverage_interval.high);
-            if (worst) text += fmt::format("; {} in {:.1f} %", rule_in_words(worst->second), 100 * worst->first);
+            std::string text =
+                fmt::format("from {} replicates on take {}{}: at worst its {:g} % intervals hold in {} of runs{}",
+                            fewest, rule_in_words(rule), without_variance ? " where the variance is finite" : "",
+                            100 * level, share_in_words(least), ends_of_share(least));
+            if (worst)
+                text += fmt::format("; {} in {}{}", rule_in_words(worst->second), share_in_words(*worst->first),
+                                    ends_of_share(*worst->first));
             return text;
         }
     }

@@ -107,8 +107,9 @@ const std::pair<std::string, int>* most_often_least(const std::vector<std::pair<
     return !wins.empty() && 2 * static_cast<std::size_t>(wins.front().second) > pairs ? &wins.front() : nullptr;
 }
 
-/// How a method without a variance in some of these scenes is to be replaced there: "; at infinite variance, Sobol'
-/// rays (2 of 3)", by the method whose error is shown to be least in most of them; empty where no such method has one.
+/// How a method without a variance in some of these scenes is to be replaced there: "; where its variance is infinite,
+/// mostly Sobol' rays", by the method whose error is shown to be least in most of them; empty where no such method has
+/// one.
 std::string where_variance_is_infinite(const StudyResults& results, const std::vector<const HiddenPair*>& scenes,
                                        const std::string& taken) {
     const auto& methods = results.findings.plan.spec.methods;
@@ -126,8 +127,9 @@ std::string where_variance_is_infinite(const StudyResults& results, const std::v
     }
     const auto most = std::ranges::max_element(least);
     if (most == least.end() || *most == 0) return {};
-    return fmt::format("; at infinite variance, {} ({} of {})",
-                       methods[static_cast<std::size_t>(most - least.begin())].name, *most, infinite);
+    return fmt::format("; where its variance is infinite, {}{}",
+                       static_cast<std::size_t>(*most) < infinite ? "mostly " : "",
+                       methods[static_cast<std::size_t>(most - least.begin())].name);
 }
 
 /// "1.2 to 9.5 times less than the next", over the scenes in which a method is shown to have the smallest error, from
@@ -148,7 +150,7 @@ std::string how_much_less(const StudyResults& results, const std::vector<const H
 
 }  // namespace
 
-std::string series_in_words(const StudyResults& results, const OcclusionSeries& series) {
+std::string least_errors_of_series(const StudyResults& results, const OcclusionSeries& series) {
     std::vector<std::string> parts;
     for (auto first = series.scenes.begin(); first != series.scenes.end();) {
         const std::string who = winner(results, *first);
@@ -159,9 +161,14 @@ std::string series_in_words(const StudyResults& results, const OcclusionSeries& 
         parts.push_back(fmt::format("{} at {}", who, from == to ? from : fmt::format("{} to {}", from, to)));
         first = end;
     }
+    return fmt::format("Least error by occluded fraction, at about {} samples: {}.", series.samples,
+                       fmt::join(parts, "; "));
+}
+
+std::string series_in_words(const StudyResults& results, const OcclusionSeries& series) {
     const Scene& scene = results.findings.plan.scenes[series.scenes.front().scene];
-    return fmt::format("{}, {}, at about {} samples, least error by occluded fraction: {}.", series.family,
-                       quantity_label(scene, series.pair), series.samples, fmt::join(parts, "; "));
+    return fmt::format("{}, {}. {}", series.family, quantity_label(scene, series.pair),
+                       least_errors_of_series(results, series));
 }
 
 std::vector<std::string> occlusion_in_brief(const StudyResults& results) {
@@ -200,13 +207,13 @@ std::string occlusion_advice(const StudyResults& results) {
                            counted(hidden.size(), "partly occluded pair"));
         if (!wins.empty()) text += fmt::format(" ({} on {})", wins.front().first, wins.front().second);
     } else {
-        text = fmt::format("take {} on partly occluded pairs: at about equal samples it errs {} on {} of {}",
-                           best->first, how_much_less(results, hidden, best->first), best->second, hidden.size());
+        text = fmt::format("at about equal samples take {} on partly occluded pairs (errs {} on {} of {})", best->first,
+                           how_much_less(results, hidden, best->first), best->second, hidden.size());
         const std::string instead = where_variance_is_infinite(results, hidden, best->first);
         if (!instead.empty())
             text += instead;
         else if (wins.size() > 1)
-            text += fmt::format(", {} on {}", wins[1].first, wins[1].second);
+            text += fmt::format("; {} errs least on {}", wins[1].first, wins[1].second);
     }
     if (best_open != nullptr && (best == nullptr || best_open->first != best->first))
         text += fmt::format("; unoccluded, {}{}", best_open->first,

@@ -16,10 +16,10 @@ std::vector<std::string> occlusion_in_brief(const studies::StudyResults& results
 /// The same in one clause: in how many scenes each method has the smallest error.
 std::string occlusion_clause(const studies::StudyResults& results);
 
-/// Which method to take where something is in between, and where nothing is. @pre occlusion_clause is not empty
+/// Which method to take on partly occluded pairs, and on unoccluded ones. @pre occlusion_clause is not empty
 std::string occlusion_advice(const studies::StudyResults& results);
 
-/// A method whose error falls more slowly than that of random points where something is in between.
+/// A method whose error falls more slowly than that of random points on partly occluded pairs.
 struct Slowed {
     std::string method;
     int slow = 0;           ///< partly occluded pairs where it does
@@ -28,7 +28,8 @@ struct Slowed {
 /// The method of which that is true most often; empty where it is true of none, or of several equally often.
 std::optional<Slowed> slowest_where_occluded(const studies::StudyResults& results);
 
-/// The method with the smallest error in one series, by occluded fraction.
+/// The method with the smallest error in one series, by occluded fraction; and after the name of the series.
+std::string least_errors_of_series(const studies::StudyResults& results, const studies::OcclusionSeries& series);
 std::string series_in_words(const studies::StudyResults& results, const studies::OcclusionSeries& series);
 
 }  // namespace ff::reports

@@ -41,8 +41,8 @@ struct Ranking {
     std::string margin = {};  ///< lead of a single leader: "errs 4.9 times less than PDM (4.6 to 5.2)"
     /// The interval of how many times less it errs than the next; empty where that is not known.
     std::optional<std::pair<double, double>> ahead = {};
-    std::string cost = {};    ///< the evaluations that this takes: " with 845 times fewer evaluations"
-    std::string but = {};  ///< what speaks against taking the leaders: "at equal evaluations a errs less"; often empty
+    std::string cost = {};  ///< the evaluations that this takes: " with 845 times fewer evaluations"
+    std::string but = {};   ///< what speaks against taking the leaders: "at equal evaluations a errs less"; often empty
     std::string caveat = {};    ///< a sentence on what is not ranked; may be empty
     std::string again = {};     ///< the margin after one of the same kind: "4.9 times (4.6 to 5.2)"; may be empty
     std::string at = {};        ///< what is equal for all, where rankings differ in it: " with 1 × 625 rays"

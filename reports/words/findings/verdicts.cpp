@@ -144,6 +144,10 @@ Mark equivalence_mark(studies::EquivalenceFinding finding) {
     return Mark::none;
 }
 
+std::string counted_cells(const studies::StudyPlan& plan) {
+    return plan.scenes.size() == 1 ? "sampled methods and sizes" : "sampled methods and sizes of all scenes";
+}
+
 BiasTally tally_of(const studies::Analysis& findings) {
     BiasTally tally;
     for (const studies::CellAnalysis& found : findings.cells) {

@@ -33,6 +33,8 @@ struct BiasTally {
     std::vector<double> detectable;          ///< their minimum detectable biases, ascending
     std::optional<std::uint64_t> lost_rays;  ///< lost rays of all cells; empty where no cell shoots rays
 };
+/// What BiasTally::sampled counts: "sampled methods and sizes", in a study of several scenes of all of them together.
+std::string counted_cells(const studies::StudyPlan& plan);
 BiasTally tally_of(const studies::Analysis& findings);
 
 }  // namespace ff::reports

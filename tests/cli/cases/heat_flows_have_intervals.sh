@@ -206,3 +206,21 @@ ffstudy heat cube --materials "$folder/furnace.obj"
 expect_refused 2 "a scene file (expected a materials file)"
 ffstudy heat cube --materials missing.toml
 expect_refused 3 "missing.toml"
+
+# Missing surroundings are noticed before the factors of a large scene are computed.
+{
+    for row in $(seq 0 59); do
+        for column in $(seq 0 59); do echo "v $column $row 0"; done
+    done
+    for row in $(seq 0 58); do
+        for column in $(seq 0 58); do
+            i=$((60 * row + column + 1))
+            echo "f $i $((i + 1)) $((i + 61)) $((i + 60))"
+        done
+    done
+} >sheet.obj
+printf '[materials]\n"*" = { emissivity = 0.7, temperature = 500 }\n' >no_surroundings.toml
+ffstudy heat sheet.obj --faces polygon --materials no_surroundings.toml
+expect_status 2
+expect_stderr "sees out of the scene, with more than half of the radiation of one of its surfaces"
+expect_stderr "Give surroundings"

@@ -41,7 +41,7 @@ expect_status 0
 expect_stdout "a: study s, seed 1"
 expect_stdout "Neither run is shown to be better: the RMSE of other_seed is "
 expect_stdout "no difference found (would detect"
-expect_stdout "Of 2 methods and sizes in both runs 0 differ."
+expect_stdout "Of the 2 methods and sizes in both runs, none differs."
 expect_stdout "62 tests, 5 % together"
 ! grep -q $'\033' "$folder/stdout" || fail "expected no colour where there is no terminal"
 
@@ -79,7 +79,7 @@ for out in one two; do
 done
 expect_equal_files one/comparison.html two/comparison.html
 expect_equal_files one/comparison.md two/comparison.md
-expect_in_file one/comparison.md "Of 2 methods and sizes in both runs 1 differs"
+expect_in_file one/comparison.md "Of the 2 methods and sizes in both runs, 1 differs"
 ffstudy compare a/results.sqlite broken --quiet
 expect_status 1
 expect_no_stdout

@@ -48,7 +48,7 @@ TEST(AnswerSvg, DrawsTheLinesOfThePictureInTheHtmlReport) {
         EXPECT_GE(std::stod((*each)[1]), 60);
         EXPECT_LE(std::stod((*each)[1]), 510);
         EXPECT_GE(std::stod((*each)[2]), 10);
-        EXPECT_LE(std::stod((*each)[2]), 270);
+        EXPECT_LE(std::stod((*each)[2]), 330);
     }
 }
 

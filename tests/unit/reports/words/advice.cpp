@@ -78,6 +78,11 @@ TEST(Advice, NamesNoMethodWhereNothingIsShown) {
 TEST(Advice, RecommendsSlopesForConvergenceAlone) {
     EXPECT_THAT(advice(plan(), {ranking(PairClass::parallel, {"a", "b"})}, converges_faster),
                 ElementsAre("for the fastest convergence take a or b: slope 1 to 4 on parallel pairs"));
+    Ranking many = ranking(PairClass::parallel, {"a", "b", "c", "d"});
+    many.methods.push_back(method("d", 4));
+    EXPECT_THAT(advice(plan(), {many}, converges_faster),
+                ElementsAre("for the fastest convergence take a (3 more are not shown to differ): slope 1 to 3 on "
+                            "parallel pairs"));
 }
 
 TEST(Advice, SaysLessWhereRoomIsShort) {
@@ -101,10 +106,17 @@ TEST(Advice, GivesTheWholeRangeOfMarginsWhereRoomIsShort) {
     second.margin = "errs 4 times less than b (2 to 5)";
     second.ahead = {2, 5};
     EXPECT_THAT(advice(plan(), {first, second}, errs_less, Words::names_alone),
-                ElementsAre("take a: on parallel and adjacent pairs it errs 1.5 to 5 times less than the next"));
+                ElementsAre("take a: it errs 1.5 to 5 times less than the next on parallel and adjacent pairs"));
+    for (Ranking* each : {&first, &second}) {
+        for (RankedMethod& row : each->methods) row.size = "1 × 4096 rays";
+    }
+    EXPECT_THAT(
+        advice(plan(), {first, second}, errs_less, Words::names_alone),
+        ElementsAre("take a: at 4096 rays it errs 1.5 to 5 times less than the next on parallel and adjacent pairs"));
     second.ahead.reset();
-    EXPECT_THAT(advice(plan(), {first, second}, errs_less, Words::names_alone),
-                ElementsAre("take a: on parallel and adjacent pairs nothing is shown to err less (RMSE between 1 and 3)"));
+    EXPECT_THAT(
+        advice(plan(), {first, second}, errs_less, Words::names_alone),
+        ElementsAre("take a: on parallel and adjacent pairs nothing is shown to err less (RMSE between 1 and 3)"));
 }
 
 TEST(Advice, KeepsSizesApart) {
@@ -150,9 +162,9 @@ TEST(OcclusionAdvice, NamesAnotherMethodWhereTheVarianceIsInfinite) {
     const std::string second = plan.spec.methods[1].name;
     results.occlusion.emplace_back().scenes = {hidden_pair(plan, false), hidden_pair(plan, false),
                                                hidden_pair(plan, true)};
-    EXPECT_EQ(occlusion_advice(results),
-              "take " + first + " on partly occluded pairs: at about equal samples it errs least on 2 of 3; " +
-                  "at infinite variance, " + second + " (1 of 1)");
+    EXPECT_EQ(occlusion_advice(results), "at about equal samples take " + first +
+                                             " on partly occluded pairs (errs least on 2 of 3); " +
+                                             "where its variance is infinite, " + second);
     results.occlusion.front().scenes.back().decided = false;
     EXPECT_THAT(occlusion_advice(results), testing::Not(testing::HasSubstr(second)));
     // One win of many recommends nothing.
@@ -173,7 +185,7 @@ TEST(CoverageAdvice, RecommendsTheRuleNowhereShortWithTheFewestReplicates) {
     EXPECT_EQ(
         coverage_advice(results),
         "from 10 replicates on take Student's t: at worst its 95 % intervals hold in 94.0 % of runs (92.0 to 96.0); "
-        "normal quantiles in 85.0 %");
+        "normal quantiles in 85.0 % (92.0 to 96.0)");
     results.coverage[1].covered = 900;
     EXPECT_THAT(coverage_advice(results), testing::StartsWith("no rule is shown to keep its 95 %"));
     results.coverage[1] = row(IntervalRule::student_t, 10, 12, false);

@@ -158,12 +158,22 @@ TEST_F(FormFactorStore, KeepsEveryMethodAndReason) {
     expect_equal(load_matrix(file()).matrix, kept.matrix);
 }
 
-// Rays used to serve some pairs that cells serve now.
 TEST(FormFactorWords, ReadReasonsOfEarlierVersions) {
     FaceExchange pair;
-    EXPECT_TRUE(set_method(pair, "rays", "the rays of its row do as well"));
-    EXPECT_EQ(pair.method, ExchangeMethod::rays);
-    EXPECT_EQ(pair.reason, ExchangeReason::blocked);
+    for (const auto& [reason, meaning] :
+         {std::pair{"the rays of its row do as well", ExchangeReason::blocked},
+          std::pair{"polygons, something may stand in between", ExchangeReason::blocked},
+          std::pair{"aligned rectangles with nothing in between", ExchangeReason::aligned},
+          std::pair{"polygons with nothing in between", ExchangeReason::polygons},
+          std::pair{"polygons far apart with nothing in between", ExchangeReason::far},
+          std::pair{"less than the tolerance, whatever stands in between", ExchangeReason::small},
+          std::pair{"much may stand in between", ExchangeReason::many_blockers},
+          std::pair{"with a disc or a sphere, nothing in between", ExchangeReason::round},
+          std::pair{"round surfaces about one axis with nothing in between", ExchangeReason::coaxial}}) {
+        EXPECT_TRUE(set_method(pair, "rays", reason)) << reason;
+        EXPECT_EQ(pair.method, ExchangeMethod::rays);
+        EXPECT_EQ(pair.reason, meaning) << reason;
+    }
     EXPECT_FALSE(set_method(pair, "rays", "the rays of its rows do as well"));
 }
 
