@@ -99,9 +99,9 @@ ExitCode check_sampler(const CheckSamplerCommand& command) {
     print_folded("{}: {} points of {} coordinates, {}, seed {}\n", sampler.info.name, request.points, request.dimension,
                  reports::counted(found.trials, "trial"), request.seed);
     print_folded(
-        "A sound sampler fails with probability {} at most; in each statistical check, what is said to be seen is "
-        "missed with probability {:.2g}. Structure is looked for in {}.\n\n",
-        request.alpha, 1 - request.power, reports::counted(found.sets, "set"));
+        "A sound sampler fails with probability {} at most; each statistical check misses an effect of the stated size "
+        "with probability {:.2g}. {} searched for structure.\n\n",
+        request.alpha, 1 - request.power, found.sets == 1 ? "One set is" : fmt::format("{} sets are", found.sets));
     std::size_t width = 0;
     for (const auto& check : found.checks) width = std::max(width, check.name.size());
     bool failed = false;
@@ -138,7 +138,7 @@ void add_check_sampler(ProgramDefinition& program) {
     sub.option("--trials", command.trials, "Trials (default: about a second's)", {.numbers = Numbers::positive});
     sub.option("--seed", command.seed, "Seed of all random numbers", {.shows_default = true});
     sub.option("--promises", command.promises,
-               "What every set is, several after commas: latin, net:T, stratified, lattice (default: it is looked for)",
+               "Structure of every set: latin, net:T, stratified, lattice, separated by commas (default: it is looked for)",
                {.type = "STRUCTURE", .delimiter = ','});
     add_outside_options(sub, command.outside, OutsideCodeFrom::command_line);
 }

@@ -207,8 +207,8 @@ void add_figure(ProgramDefinition& program) {
                {.type = "CLASS", .choices = {"parallel", "adjacent", "other"}});
     sub.option("--width", command.width, "Width, in mm, cm, in or pt", {.type = "LENGTH", .shows_default = true});
     sub.option("--height", command.height, "Height (default: as the picture has it)", {.type = "LENGTH"});
-    sub.option("--font-size", command.font_size, "Size of letters, in points", {.shows_default = true});
-    sub.option("--font", command.font, "Family of letters (default: that of reports)", {.type = "FONT"});
+    sub.option("--font-size", command.font_size, "Font size, in points", {.shows_default = true});
+    sub.option("--font", command.font, "Font family (default: that of reports)", {.type = "FONT"});
     sub.option("--out", command.out, "File: .pdf, .svg or .png (default: PICTURE.pdf)", {.type = "FILE"});
     sub.option("--templates", command.templates, "Folder of custom templates", {.type = "DIR"});
 }

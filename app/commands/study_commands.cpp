@@ -145,7 +145,7 @@ void add_convergence(ProgramDefinition& program) {
     sub.option("--samples", request.samples_per_patch, "Sizes: a range, or numbers separated by commas",
                {.type = "SIZES", .shows_default = true});
     sub.option("--patches", request.patches_per_face, "Patches of a face", {.shows_default = true});
-    sub.option("--allocation", request.allocation, "Whose points they are: " + names_in_words("allocations"),
+    sub.option("--allocation", request.allocation, "What gets points of its own: " + names_in_words("allocations"),
                {.type = "ALLOCATION"});
     sub.option("--completion", request.completion, "How the matrix is completed: " + names_in_words("completions"),
                {.type = "COMPLETION"});

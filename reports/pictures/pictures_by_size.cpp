@@ -187,7 +187,7 @@ Picture picture_of_series(const studies::StudyResults& results, const studies::O
     return picture_of(
         values, "occlusion", fmt::format("occlusion-{}-{}", series.family, pair),
         fmt::format("Error against the occluded fraction: {}, {}.", series.family, pair),
-        fmt::format("{} Bars, where longer than the marks: {:g} % intervals.{}",
+        fmt::format("{} Bars: {:g} % intervals, where longer than the marks.{}",
                     least_errors_of_series(results, series), 100 * plan.spec.level, not_drawn(std::move(exact))),
         fmt::format("RMSE of a run (logarithmic) on {} against the occluded fraction of its form factor, "
                     "in {} scenes with another {}, a line for each method, with {:g} % intervals.",

@@ -265,7 +265,7 @@ SamplerChecks check_sampler(const samplers::CatalogueEntry& sampler, const Sampl
                      : SamplerVerdict::inconclusive,
              failed ? fmt::format("{}p = {:.2g} after Holm",
                                   test.effect ? fmt::format("{} {:.2g}, ", test.what, *test.effect) : "", adjusted[i])
-                    : fmt::format("would be seen if {} {:.2g}{}", test.what, test.detectable,
+                    : fmt::format("would be detected if {} {:.2g}{}", test.what, test.detectable,
                                   sharp ? "" : fmt::format("; {} is required, {}", test.worst, test.sharper))});
     }
     structure.slices = drawn.slices;

@@ -142,7 +142,7 @@ SamplerCheck check_repeated_sets(std::span<const std::uint64_t> fingerprints) {
         ++sets_by_distance[trials[1] - trials[0]];
     }
     const std::string name = "sets differ";
-    if (sets_by_distance.empty()) return {name, SamplerVerdict::pass, "no set comes back"};
+    if (sets_by_distance.empty()) return {name, SamplerVerdict::pass, "no set is repeated"};
 
     const auto [distance, sets] = *std::ranges::max_element(sets_by_distance, [](const auto& a, const auto& b) {
         return std::pair(a.second, b.first) < std::pair(b.second, a.first);

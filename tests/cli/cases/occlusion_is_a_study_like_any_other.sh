@@ -12,7 +12,7 @@ rows <"$page" >"$folder/promised"
 [ "$(wc -l <"$folder/promised")" -eq 17 ] || fail "docs/occlusion.md does not show the study"
 expect_equal_files "$folder/promised" "$folder/shown"
 expect_stdout "PDM: the error falls with slope "
-expect_stdout "squares_blocked, F 1-2, at about 8192 samples, least error by occluded fraction: PDM"
+expect_stdout "squares_blocked, F 1-2. Least error by occluded fraction, at about 8192 samples: PDM"
 expect_in_file results/occlusion/report.html 'id="occlusion-squares-blocked'
 expect_in_file results/occlusion/report.html '<svg class="scene"'
 expect_in_file results/occlusion/report.md "Errors as the occluded fraction grows"

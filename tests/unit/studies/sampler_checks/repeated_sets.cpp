@@ -57,7 +57,7 @@ TEST(RepeatedSets, PassWhereTheyRecurByChance) {
                     << sets << ' ' << trials;
         }
     }
-    EXPECT_EQ(check_repeated_sets(drawn_from(~std::uint64_t{0}, 1000, random)).found, "no set comes back");
+    EXPECT_EQ(check_repeated_sets(drawn_from(~std::uint64_t{0}, 1000, random)).found, "no set is repeated");
 }
 
 }  // namespace
