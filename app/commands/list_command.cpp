@@ -245,8 +245,8 @@ void add_list(ProgramDefinition& program) {
 }
 
 void add_explain(ProgramDefinition& program) {
-    add_listing(program, "explain", "Explain a sampler, estimator, scene or term: what it is, its source, its limits", explain, "NAME",
-                "A name that 'list' shows, a term of the glossary, or a scene file");
+    add_listing(program, "explain", "Explain a sampler, estimator, scene or term: what it is, its source, its limits",
+                explain, "NAME", "A name that 'list' shows, a term of the glossary, or a scene file");
 }
 
 }  // namespace ff::app

@@ -137,9 +137,10 @@ void add_check_sampler(ProgramDefinition& program) {
     sub.option("--d", command.dimension, "Coordinates of a point (default: all, at most 4)");
     sub.option("--trials", command.trials, "Trials (default: about a second's)", {.numbers = Numbers::positive});
     sub.option("--seed", command.seed, "Seed of all random numbers", {.shows_default = true});
-    sub.option("--promises", command.promises,
-               "Structure of every set: latin, net:T, stratified, lattice, separated by commas (default: it is looked for)",
-               {.type = "STRUCTURE", .delimiter = ','});
+    sub.option(
+        "--promises", command.promises,
+        "Structure of every set: latin, net:T, stratified, lattice, separated by commas (default: it is looked for)",
+        {.type = "STRUCTURE", .delimiter = ','});
     add_outside_options(sub, command.outside, OutsideCodeFrom::command_line);
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -14,7 +15,15 @@
 namespace ff::reports {
 namespace {
 
-/// The methods that are among the best in all rankings, in the order of the first. A ranking that shows no method to be
+/// The place of a method in all rankings together: the sum of how many are before it in each.
+std::ptrdiff_t place_in(const std::vector<Ranking>& rankings, const std::string& label) {
+    std::ptrdiff_t place = 0;
+    for (const Ranking& ranking : rankings)
+        place += std::ranges::find(ranking.methods, label, &RankedMethod::label) - ranking.methods.begin();
+    return place;
+}
+
+/// The methods that are among the best in all rankings, by their places in them. A ranking that shows no method to be
 /// better than another speaks against none.
 std::vector<std::string> leaders_of_all(const std::vector<Ranking>& rankings) {
     std::vector<std::string> common;
@@ -27,6 +36,7 @@ std::vector<std::string> leaders_of_all(const std::vector<Ranking>& rankings) {
         std::erase_if(
             common, [&](const std::string& label) { return std::find(best.begin(), best.end(), label) == best.end(); });
     }
+    std::ranges::stable_sort(common, {}, [&](const std::string& label) { return place_in(rankings, label); });
     return common;
 }
 
