@@ -111,7 +111,7 @@ ExitCode compare(const CompareCommand& command) {
 
 void add_compare(ProgramDefinition& program) {
     const auto [sub, command] = program.command<CompareCommand>(
-        everyday, "compare", "Show two runs side by side: what differs, and how sure that is", compare);
+        everyday, "compare", "Show two runs side by side: what differs, and with what confidence", compare);
     sub.option("A", command.first, "Folder of a study, or its results.sqlite; of one method: RESULTS:METHOD",
                {.type = "RESULTS", .is_required = true});
     sub.option("B", command.second, "The other", {.type = "RESULTS", .is_required = true});

@@ -127,7 +127,7 @@ void add_convert(ProgramDefinition& program) {
     add_options_of_scenes(sub, command.scene);
     add_options_of_places(sub, command.scene);
     sub.option("--facets", command.facets,
-               "Polygons around a full turn of a curved surface (default: it stays curved)");
+               "Facets per full turn of a curved surface (default: it stays curved)");
     add_verbosity(sub, command.scene.quiet, "Print errors and warnings only");
 }
 

@@ -69,7 +69,7 @@ void add_form_factors(ProgramDefinition& program) {
                {.type = "TIME"});
     sub.option("--max-memory", command.max_memory, "Memory limit: 500M, 2G; stops gracefully", {.type = "SIZE"});
     sub.option("--max-samples", request.max_samples, "Rays and points in all", {.shows_default = true});
-    sub.option("--shard", command.shard, "Sample share i/n of the rows; see 'ffstudy merge'",
+    sub.option("--shard", command.shard, "Sample share I/N of the rows; see 'ffstudy merge'",
                {.type = "I/N", .needs = {"--out"}});
     sub.option("--dry-run", command.dry_run, "Sample a few rows, show expected time, memory and disk");
     sub.option("--repair", request.repair, "Also find the nearest matrix that is closed and reciprocal",

@@ -324,20 +324,20 @@ void add_heat(ProgramDefinition& program) {
                "Largest half width of a form factor (default: 1e-4), or of a power (default: 0.1%)",
                {.type = "AMOUNT"});
     sub.option("--tolerance-of", command.tolerance_of,
-               "What --tolerance is of: factor, or flux, which samples where powers depend on it",
+               "What --tolerance applies to: factor, or flux (samples where powers depend on it)",
                {.type = "WHAT", .choices = {"factor", "flux"}, .shows_default = true});
     sub.option("--interval", command.interval,
                "Of flows: statistical, from the spread of randomisations, or bound, by all form factors within theirs",
                {.type = "KIND", .choices = {"statistical", "bound"}, .shows_default = true});
     sub.option("--level", factors.request.level, "Level of each interval", {.shows_default = true});
-    sub.option("--simultaneous", command.all_at_once, "The level is that of all intervals at once, as of bounds");
+    sub.option("--simultaneous", command.all_at_once, "All intervals hold together at the level, as bounds do");
     sub.option("--seed", factors.seed, "Seed of all random numbers", {.shows_default = true});
     sub.option("--threads", factors.threads, "Threads; results do not depend on them (default: all cores)");
     sub.option("--max-time", factors.max_time, "Time limit: 90 (seconds), 15m, 2.5h, 1d; stops gracefully",
                {.type = "TIME"});
     sub.option("--max-samples", factors.request.max_samples, "Rays and points in all", {.shows_default = true});
     sub.option("--out", factors.out,
-               "Folder for results and form factors, which the next run takes from there (default: none)",
+               "Folder for results and form factors, which the next run reuses (default: none)",
                {.type = "DIR"});
     sub.option(by_either_name, command.gebhart, "Also Gebhart factors and script-F, as CSV and matrices",
                {.needs = {"--out"}});

@@ -75,7 +75,7 @@ void add_run_options(CommandDefinition& sub, RunCommand& command) {
                {.type = "GOAL"});
     sub.option("--level", command.level, "Level of intervals (default: the study's)");
     sub.option("--threads", command.threads, "Threads; results do not depend on them (default: all cores)");
-    sub.option("--shard", command.shard, "Carry out share i/n of the work only; see 'ffstudy merge'", {.type = "I/N"});
+    sub.option("--shard", command.shard, "Carry out share I/N of the work only; see 'ffstudy merge'", {.type = "I/N"});
     sub.option("--max-time", command.max_time, "Time limit: 90 (seconds), 15m, 2.5h, 1d; stops gracefully",
                {.type = "TIME"});
     sub.option("--max-memory", command.max_memory, "Memory limit: 500M, 2G; fewer threads, or a graceful stop",

@@ -26,7 +26,7 @@ struct LineChart {
 };
 constexpr std::array line_charts{
     LineChart{"convergence", "evaluations", true, false, "evaluations per face", "error", "RMSE of a run"},
-    LineChart{"occlusion", "hidden", false, false, "occluded fraction", "error", "RMSE of a run"},
+    LineChart{"occlusion", "occluded_fraction", false, false, "occluded fraction", "error", "RMSE of a run"},
     LineChart{"light_errors", "absorbed", true, true, "reflectance of all faces", "rmse",
               "relative RMSE of the exitance"}};
 

@@ -160,7 +160,7 @@ std::optional<Picture> efficiency_picture(const studies::Analysis& findings, std
 Picture picture_of_series(const studies::StudyResults& results, const studies::OcclusionSeries& series,
                           const MethodChoice& methods) {
     const studies::StudyPlan& plan = results.findings.plan;
-    PictureValues values({"method", "scene", "hidden", "size", "error", "low", "high"});
+    PictureValues values({"method", "scene", "occluded_fraction", "size", "error", "low", "high"});
     MethodLines lines(method_styles(results, methods), HeightAxis::logarithmic);
     std::vector<std::string> exact;
     for (std::size_t method = 0; method < plan.spec.methods.size(); ++method) {

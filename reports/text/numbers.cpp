@@ -44,8 +44,8 @@ std::string with_ends(double value, double low, double high, int digits) {
 }
 
 std::string ends_in_words(double low, double high) {
-    return std::isfinite(high) ? fmt::format("{} to {}", brief(low), brief(high))
-                               : fmt::format("at least {}", brief(low));
+    if (!std::isfinite(high)) return "at least " + brief(low);
+    return brief(low) == brief(high) ? brief(low) : fmt::format("{} to {}", brief(low), brief(high));
 }
 
 std::string to_error_with_ends(double value, double low, double high, double error) {
