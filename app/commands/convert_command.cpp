@@ -126,8 +126,7 @@ void add_convert(ProgramDefinition& program) {
     sub.option("OUT", command.out, "File to write: .obj, .vs3 or .toml", {.type = "FILE", .is_required = true});
     add_options_of_scenes(sub, command.scene);
     add_options_of_places(sub, command.scene);
-    sub.option("--facets", command.facets,
-               "Facets per full turn of a curved surface (default: it stays curved)");
+    sub.option("--facets", command.facets, "Facets per full turn of a curved surface (default: it stays curved)");
     add_verbosity(sub, command.scene.quiet, "Print errors and warnings only");
 }
 

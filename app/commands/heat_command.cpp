@@ -336,8 +336,7 @@ void add_heat(ProgramDefinition& program) {
     sub.option("--max-time", factors.max_time, "Time limit: 90 (seconds), 15m, 2.5h, 1d; stops gracefully",
                {.type = "TIME"});
     sub.option("--max-samples", factors.request.max_samples, "Rays and points in all", {.shows_default = true});
-    sub.option("--out", factors.out,
-               "Folder for results and form factors, which the next run reuses (default: none)",
+    sub.option("--out", factors.out, "Folder for results and form factors, which the next run reuses (default: none)",
                {.type = "DIR"});
     sub.option(by_either_name, command.gebhart, "Also Gebhart factors and script-F, as CSV and matrices",
                {.needs = {"--out"}});
