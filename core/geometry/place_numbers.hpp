@@ -19,26 +19,29 @@ class PlaceNumbers {
     explicit PlaceNumbers(double nearest) : nearest_(nearest) {}
 
     std::uint32_t operator()(const Eigen::Vector3d& place) {
-        // Cells are so much larger than what is near that a place seldom is near to more than one.
-        const double cell = 1024 * nearest_;
+        // Cells are so large that a place seldom is near to more than one, and so small that they hold few places.
+        const double cell = 16 * nearest_;
         Cell at;
-        std::array<std::vector<double>, 3> near;
+        Cell low;
+        Cell high;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double x = place[static_cast<Eigen::Index>(axis)];
             at[axis] = std::floor(x / cell);
-            near[axis] = {std::floor((x - nearest_) / cell)};
-            const double above = std::floor((x + nearest_) / cell);
-            if (above != near[axis].front()) near[axis].push_back(above);
+            low[axis] = std::floor((x - nearest_) / cell);
+            high[axis] = std::floor((x + nearest_) / cell);
         }
-        for (const double x : near[0]) {
-            for (const double y : near[1]) {
-                for (const double z : near[2]) {
-                    const auto here = places_.find({x, y, z});
-                    if (here == places_.end()) continue;
-                    for (const auto& [other, number] : here->second) {
-                        if ((other - place).cwiseAbs().maxCoeff() < nearest_) return number;
-                    }
-                }
+        for (unsigned corner = 0; corner < 8; ++corner) {
+            Cell near = low;
+            bool is_new = true;
+            for (unsigned axis = 0; axis < 3; ++axis) {
+                if ((corner >> axis & 1U) == 0) continue;
+                is_new = is_new && high.at(axis) != low.at(axis);
+                near.at(axis) = high.at(axis);
+            }
+            const auto here = is_new ? places_.find(near) : places_.end();
+            if (here == places_.end()) continue;
+            for (const auto& [other, number] : here->second) {
+                if ((other - place).cwiseAbs().maxCoeff() < nearest_) return number;
             }
         }
         places_[at].emplace_back(place, count_);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/geometry/shaft.cpp"
@@ -39,6 +40,19 @@ HWY_INLINE double highest(Doubles values) {
 
 HWY_INLINE double lowest(Doubles values) {
     return hn::GetLane(hn::MinOfLanes(DoubleTag(), values));
+}
+
+/// The least and the greatest height of all corners above the first one.
+std::pair<double, double> reach(const Shaft::Corners& corners, const Eigen::Vector3d& along) {
+    ByCorner heights;
+    find_distances(corners, along, {corners.x[0], corners.y[0], corners.z[0]}, heights);
+    auto low = constant(std::numeric_limits<double>::infinity());
+    auto high = hn::Neg(low);
+    for (std::size_t k = 0; k < corners.count / lanes; ++k) {
+        low = hn::Min(low, heights[k]);
+        high = hn::Max(high, heights[k]);
+    }
+    return {lowest(low), highest(high)};
 }
 
 /// @param open  where not null: bits of edges that some lines pass outside, or may
@@ -108,6 +122,7 @@ HWY_AFTER_NAMESPACE();
 namespace ff {
 
 HWY_EXPORT(crossing);
+HWY_EXPORT(reach);
 
 namespace {
 
@@ -170,15 +185,8 @@ std::uint32_t Shaft::open_edges(const Plate& plate) const {
 
 void Shaft::add_side(const Vector3d& at, const Vector3d& out) {
     const double room = 8 * noise_of_size * size_;
-    const Vector3d origin = corner(0);
-    const double height = out.dot(at - origin);
-    double low = std::numeric_limits<double>::max();
-    double high = std::numeric_limits<double>::lowest();
-    for (std::size_t k = 0; k < corners_.count && (low >= height - room || high <= height + room); ++k) {
-        const double reached = out.dot(corner(k) - origin);
-        low = std::min(low, reached);
-        high = std::max(high, reached);
-    }
+    const double height = out.dot(at - corner(0));
+    const auto [low, high] = HWY_DYNAMIC_DISPATCH(reach)(corners_, out);
     if (high <= height + room) sides_.push_back({out, high});
     if (low >= height - room) sides_.push_back({-out, -low});
 }

@@ -1,5 +1,6 @@
 #include "core/geometry/surface_map.hpp"
 
+#include "core/geometry/convex_polygon.hpp"
 #include "core/geometry/unit_circle.hpp"
 #include "core/support/overloaded.hpp"
 
@@ -59,6 +60,10 @@ double reach_of_zone(const SphereZone& zone, const Vector3d& direction) {
     const double height = std::clamp(upwards / length, zone.low, zone.high);
     const double sideways = (direction - upwards * zone.axis).norm();
     return height * upwards + std::sqrt(std::max(0.0, (1 - height) * (1 + height))) * sideways;
+}
+
+std::array<Vector3d, 4> corners_of(const Parallelogram& p) {
+    return {p.corner, p.corner + p.edge_u, p.corner + p.edge_u + p.edge_v, p.corner + p.edge_v};
 }
 
 }  // namespace
@@ -163,12 +168,7 @@ Extent extent(std::span<const Vector3d> points, const Vector3d& direction) {
 
 Extent extent(const Surface& surface, const Vector3d& direction) {
     return std::visit(Overloaded{
-                          [&](const Parallelogram& p) {
-                              return extent(
-                                  std::array<Vector3d, 4>{p.corner, p.corner + p.edge_u, p.corner + p.edge_u + p.edge_v,
-                                                          p.corner + p.edge_v},
-                                  direction);
-                          },
+                          [&](const Parallelogram& p) { return extent(corners_of(p), direction); },
                           [&](const Triangle& p) {
                               return extent(std::array{p.a, p.b, p.c}, direction);
                           },
@@ -189,6 +189,8 @@ Extent extent(const Surface& surface, const Vector3d& direction) {
 }
 
 Eigen::AlignedBox3d box_around(const Surface& surface) {
+    if (const auto* p = std::get_if<Parallelogram>(&surface.shape)) return box_around(corners_of(*p));
+    if (const auto* p = std::get_if<Triangle>(&surface.shape)) return box_around(std::array{p->a, p->b, p->c});
     Eigen::AlignedBox3d box;
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
         const Extent along = extent(surface, Vector3d::Unit(axis));

@@ -1,8 +1,7 @@
 #include "core/radiosity/flow_bounds.hpp"
 
+#include "core/radiosity/linear_map.hpp"
 #include "core/support/contract.hpp"
-
-#include <Eigen/IterativeLinearSolvers>
 
 #include <algorithm>
 #include <limits>
@@ -47,16 +46,12 @@ void choose(const FactorBounds& factors, const VectorXd& values, Sparse& chosen)
 
 /// Solves x = constant + F reflected x + known for a matrix F between faces.
 VectorXd fixed_point(const Sparse& chosen, const VectorXd& reflected, const VectorXd& known, const VectorXd& guess) {
-    const Index n = chosen.rows();
-    Sparse system(n, n);
-    system.setIdentity();
-    system -= Sparse(chosen.leftCols(n) * reflected.asDiagonal());
-    Eigen::BiCGSTAB<Sparse> solver;
-    solver.setTolerance(epsilon);
-    constexpr Eigen::Index most_iterations = 500;
-    solver.setMaxIterations(most_iterations);
-    solver.compute(system);
-    return solver.solveWithGuess(known, guess);
+    VectorXd sent(chosen.cols());
+    const auto less_what_returns = [&](const VectorXd& x) -> VectorXd {
+        sent << reflected.cwiseProduct(x), 0;
+        return x - chosen * sent;
+    };
+    return solve(less_what_returns, known, guess, epsilon);
 }
 
 /// Approaches the fixed point of x = constant + max F (emitted + reflected x). @param take  gets every approximation x

@@ -31,7 +31,7 @@ std::optional<int> Curtains::crossings(std::uint32_t wall, const Line& line) con
     const Plate& plate = *plates_[wall];
     const double before = plate.normal.dot(line.begin - plate.corners.front());
     const double after = plate.normal.dot(line.end - plate.corners.front());
-    const double room = clear_share * (line.end - line.begin).norm();
+    const double room = clear_share * line.length;
     if ((before > room && after > room) || (before < -room && after < -room)) return 0;
     if (std::min(std::abs(before), std::abs(after)) <= room) return std::nullopt;
     const Vector3d place = line.begin + before / (before - after) * (line.end - line.begin);
@@ -63,8 +63,9 @@ bool Curtains::is_apart(std::uint32_t wall, const End& end) const {
 
 bool Curtains::hide_all(std::span<const std::uint32_t> walls, const End& from, const End& to, double grain,
                         const std::function<bool(std::uint32_t)>& is_clear) {
-    const Line line{place_in(from.hull), place_in(to.hull)};
+    Line line{place_in(from.hull), place_in(to.hull)};
     const Vector3d apart = line.end - line.begin;
+    line.length = apart.norm();
     if (from.normal.dot(apart) < 0 || to.normal.dot(apart) > 0) return false;
     const std::uint32_t question = ++count_;
     for (const std::uint32_t wall : walls) asked_[wall] = question;

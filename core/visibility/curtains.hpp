@@ -39,6 +39,7 @@ class Curtains {
     struct Line {
         Eigen::Vector3d begin;
         Eigen::Vector3d end;
+        double length = 0;
     };
     const SharedEdges& edges_;
     const std::vector<std::optional<Plate>>& plates_;

@@ -149,6 +149,7 @@ class Occluders::Walk {
         const bool are_polygons = is_polygon(from.shape) && is_polygon(to.shape);
         const std::uint32_t from_wall = all_.wall_of(from_index);
         const std::uint32_t to_wall = all_.wall_of(to_index);
+        std::optional<LinesBetween> lines;
         std::optional<Shaft> shaft;
         ConvexPolygon begin;
         ConvexPolygon end;
@@ -172,7 +173,9 @@ class Occluders::Walk {
                 crossing = shaft->crossed_by(*all_.plates_[index]);
             }
             // A wall in the plane of an end, up to rounding, hides nothing.
-            if (crossing == Shaft::Crossing::none || keeps_clear(wall, from, to)) continue;
+            if (crossing == Shaft::Crossing::none) continue;
+            if (!lines) lines.emplace(from, to);
+            if (lines->keep_clear_of(wall)) continue;
             if (crossing == Shaft::Crossing::all) return {.all_hidden = true, .occluders = {}};
             if (are_polygons && all_.plates_[index] && shaft->is_beside(*all_.plates_[index])) continue;
             result.occluders.emplace_back(&wall);

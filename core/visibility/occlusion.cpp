@@ -16,20 +16,12 @@ using Eigen::Vector3d;
 
 constexpr std::size_t most_surfaces_for_blockers = 512;
 
-struct Pair {
-    const Surface& from;
-    const Surface& to;
-    double room;
-
-    [[nodiscard]] Extent along(const Vector3d& direction) const {
-        const Extent a = extent(from, direction);
-        const Extent b = extent(to, direction);
-        return {std::min(a.low, b.low), std::max(a.high, b.high)};
-    }
-};
-
 double length(const Extent& extent) {
     return extent.high - extent.low;
+}
+
+Extent merged(const Extent& a, const Extent& b) {
+    return {std::min(a.low, b.low), std::max(a.high, b.high)};
 }
 
 /// Possible error of a computed extent of a surface: it grows with the surface, unlike what the surface may hide.
@@ -37,45 +29,50 @@ double rounding_of(const Extent& extent) {
     return 4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(extent.low), std::abs(extent.high));
 }
 
-/// Whether a plane across `direction` parts a surface from both of a pair. It may reach across by a share of the pair's
-/// own length, however large it is itself.
-bool is_parted(const Surface& surface, const Pair& pair, const Vector3d& direction) {
-    const Extent own = extent(surface, direction);
-    const Extent others = pair.along(direction);
+/// Whether a plane across a direction parts a surface from both of a pair, given how far each reaches along it.
+bool are_parted(const Extent& own, const Extent& others) {
     const double room =
-        pair.room * length(others) - (own.high == others.low || own.low == others.high ? 0 : rounding_of(own));
+        rounding_room * length(others) - (own.high == others.low || own.low == others.high ? 0 : rounding_of(own));
     return own.high <= others.low + room || own.low >= others.high - room;
-}
-
-/// Whether a surface lies behind a flat one, where no line from its radiating side leads.
-bool is_behind(const Surface& surface, const Surface& flat, const Pair& pair) {
-    if (!is_flat(flat.shape)) return false;
-    const Extent own = extent(surface, flat.normal);
-    const Extent plane = extent(flat, flat.normal);
-    const double room = pair.room * length(pair.along(flat.normal)) - (own.high == plane.high ? 0 : rounding_of(own));
-    return own.high <= plane.high + room;
 }
 
 }  // namespace
 
-bool keeps_clear(const Surface& surface, const Surface& from, const Surface& to, double room) {
-    const Pair pair{from, to, room};
-    if (is_behind(surface, pair.from, pair) || is_behind(surface, pair.to, pair)) return true;
+LinesBetween::LinesBetween(const Surface& from, const Surface& to)
+    : from_(from), to_(to), box_(box_around(from).merged(box_around(to))) {
+    const auto front = [this](const Surface& end) -> std::optional<Front> {
+        if (!is_flat(end.shape)) return std::nullopt;
+        return Front{end.normal, extent(end, end.normal).high, along(end.normal)};
+    };
+    fronts_ = {front(from), front(to)};
+}
+
+Extent LinesBetween::along(const Vector3d& direction) const {
+    return merged(extent(from_, direction), extent(to_, direction));
+}
+
+bool LinesBetween::keep_clear_of(const Surface& surface) const {
+    const Eigen::AlignedBox3d box = box_around(surface);
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        if (is_parted(surface, pair, Vector3d::Unit(axis))) return true;
+        if (are_parted({box.min()[axis], box.max()[axis]}, {box_.min()[axis], box_.max()[axis]})) return true;
     }
-    for (const Surface* flat : {&surface, &pair.from, &pair.to}) {
-        if (is_flat(flat->shape) && is_parted(surface, pair, flat->normal)) return true;
-    }
-    return false;
+    if (is_flat(surface.shape) && are_parted(extent(surface, surface.normal), along(surface.normal))) return true;
+    return std::ranges::any_of(fronts_, [&](const std::optional<Front>& front) {
+        if (!front) return false;
+        const Extent own = extent(surface, front->normal);
+        // Behind a flat surface, no line leads from its radiating side.
+        const double room = rounding_room * length(front->both) - (own.high == front->plane ? 0 : rounding_of(own));
+        return own.high <= front->plane + room || are_parted(own, front->both);
+    });
 }
 
 std::vector<const Surface*> possible_blockers(const Scene& scene, const Surface& from, const Surface& to) {
     std::vector<const Surface*> blockers;
+    const LinesBetween lines(from, to);
     for (const Surface& surface : scene.surfaces) {
         const bool is_end = &surface == &from || &surface == &to;
         const bool in_the_way =
-            is_end ? &from != &to && face_each_other(surface, surface) : !keeps_clear(surface, from, to);
+            is_end ? &from != &to && face_each_other(surface, surface) : !lines.keep_clear_of(surface);
         if (in_the_way) blockers.push_back(&surface);
     }
     return blockers;

@@ -1,18 +1,42 @@
 #pragma once
 
 #include "core/geometry/fwd.hpp"
+#include "core/geometry/surface_map.hpp"
 #include "core/visibility/facing.hpp"
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
+#include <array>
+#include <optional>
 #include <vector>
 
 namespace ff {
 
-/// Whether a third surface is proved not to stand between two: it lies behind one of them, its plane has both on one
-/// side, or a plane across a coordinate axis or one of the normals separates it from both.
-/// @param room  it may reach across by this share of the pair's length
-bool keeps_clear(const Surface& surface, const Surface& from, const Surface& to, double room = rounding_room);
+/// The straight lines from one surface to another, for tests of many others against them.
+class LinesBetween {
+  public:
+    /// References are kept.
+    LinesBetween(const Surface& from, const Surface& to);
+
+    /// Whether a third surface is proved not to stand between the two: it lies behind one of them, its plane has both
+    /// on one side, or a plane across a coordinate axis or one of the normals separates it from both. It may reach
+    /// across by `rounding_room` of their own length, however large it is itself.
+    [[nodiscard]] bool keep_clear_of(const Surface& surface) const;
+
+  private:
+    const Surface& from_;
+    const Surface& to_;
+    Eigen::AlignedBox3d box_;
+    /// One of the two, if it is flat.
+    struct Front {
+        Eigen::Vector3d normal;
+        double plane = 0;  ///< height of the surface
+        Extent both;       ///< heights of both
+    };
+    std::array<std::optional<Front>, 2> fronts_;  ///< of either
+
+    [[nodiscard]] Extent along(const Eigen::Vector3d& direction) const;
+};
 
 /// The surfaces that may stand between two: those not shown to keep clear. A concave one of the two may itself be
 /// among them. Conservative: for two convex faces that see all of each other the list is empty, and nothing has to be

@@ -86,8 +86,9 @@ constexpr double roundings_of_edge = 256;
 /// Room for the rounding of a triple product, relative to the lengths of its factors.
 constexpr double product_rounding = 4e-15;
 
-/// Planes through the origin and the edges of a polygon, normals towards its inside; none where it is seen edge-on, or
-/// so nearly that rounding decides where its inside is. Edges of a few roundings are left out: they take nothing off.
+/// Planes through the origin and the edges of a polygon, normals of any length towards its inside; none where it is
+/// seen edge-on, or so nearly that rounding decides where its inside is. Edges of a few roundings are left out: they
+/// take nothing off.
 void find_sides(const SmallPolygon& polygon, double rounding, SmallPolygon& sides) {
     sides.clear();
     Vector3d middle = Vector3d::Zero();
@@ -99,14 +100,13 @@ void find_sides(const SmallPolygon& polygon, double rounding, SmallPolygon& side
     const double farthest = middle.squaredNorm();
     const double shortest = roundings_of_edge * rounding;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
-        Vector3d side = polygon[k].cross(next_corner(polygon, k));
+        const Vector3d side = polygon[k].cross(next_corner(polygon, k));
         const double room = squares[k] * next_corner(squares, k);
         const double length = (next_corner(polygon, k) - polygon[k]).squaredNorm();
         if (length <= shortest * shortest || side.squaredNorm() <= room) continue;  // two corners in one
         const double height = side.dot(middle);
         if (height * height <= room * farthest) return sides.clear();
-        side /= height > 0 ? side.norm() : -side.norm();
-        sides.push_back(side);
+        sides.push_back(height > 0 ? side : Vector3d(-side));
     }
     if (sides.size() < 3) sides.clear();
 }
@@ -118,8 +118,8 @@ bool is_outside(const SmallPolygon& piece, const SmallPolygon& sides, double roo
     });
 }
 
-/// Leaves out sides of a shadow that all of a piece is inside of. @return whether some of the piece may be in the
-/// shadow
+/// Leaves out sides of a shadow that all of a piece is inside of, and gives the others unit length. @return whether
+/// some of the piece may be in the shadow
 bool keep_those_that_cut(SmallPolygon& sides, const SmallPolygon& piece) {
     std::size_t kept = 0;
     for (std::size_t k = 0; k < sides.size(); ++k) {
@@ -131,7 +131,7 @@ bool keep_those_that_cut(SmallPolygon& sides, const SmallPolygon& piece) {
             some_outside = some_outside || height < 0;
         }
         if (!some_inside) return false;
-        if (some_outside) sides[kept++] = sides[k];
+        if (some_outside) sides[kept++] = sides[k].normalized();
     }
     sides.resize(kept);
     return true;

@@ -9,7 +9,9 @@
 #include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <exception>
 #include <limits>
 
@@ -76,16 +78,22 @@ double normal_two_sided_p(double z) {
 
 double student_critical(double freedom, double tail) {
     FF_EXPECT(freedom > 0 && 0 < tail && tail < 1);
-    // Intervals of a million estimates ask for one quantile, which takes microseconds.
+    // Intervals of a million estimates ask for a few quantiles in turn, each of which takes microseconds.
     struct Known {
         double freedom = 0;
         double tail = 0;
         double quantile = 0;
     };
-    thread_local Known last;
-    if (last.freedom != freedom || last.tail != tail)
-        last = {freedom, tail, math::quantile(math::complement(math::students_t(freedom), tail))};
-    return last.quantile;
+    constexpr std::size_t asked_in_turn = 4;
+    thread_local std::array<Known, asked_in_turn> known;
+    thread_local std::size_t oldest = 0;
+    for (const Known& one : known) {
+        if (one.freedom == freedom && one.tail == tail) return one.quantile;
+    }
+    Known& found = known[oldest];
+    oldest = (oldest + 1) % known.size();
+    found = {freedom, tail, math::quantile(math::complement(math::students_t(freedom), tail))};
+    return found.quantile;
 }
 
 double student_tail(double t, double freedom) {

@@ -41,34 +41,65 @@ double shift_without(const PairRandomisations& values, std::size_t left_out) {
     return (mean - static_cast<double>(values.values.at(left_out))) / (randomised - 1);
 }
 
+/// The factors of a matrix, of which some exchanges change: their entries are found once.
+class ChangingFactors {
+  public:
+    explicit ChangingFactors(const Matrix& matrix) : matrix_(matrix), factors_(matrix.factors()) {
+        // Exchanges are in order, so that every row gets its columns in order.
+        std::vector<int> next(factors_.outerIndexPtr(), factors_.outerIndexPtr() + factors_.rows());
+        places_.reserve(matrix.exchanges.size());
+        for (const FaceExchange& exchange : matrix.exchanges) {
+            const int there = next[exchange.from]++;
+            places_.emplace_back(there, exchange.from == exchange.to ? there : next[exchange.to]++);
+        }
+    }
+
+    void set(std::size_t index, double area) {
+        const FaceExchange& exchange = matrix_.exchanges[index];
+        const auto [there, back] = places_[index];
+        factors_.valuePtr()[there] = area / matrix_.areas[exchange.from];
+        factors_.valuePtr()[back] = area / matrix_.areas[exchange.to];
+    }
+    [[nodiscard]] const Matrix::Sparse& factors() const { return factors_; }
+
+  private:
+    const Matrix& matrix_;
+    Matrix::Sparse factors_;
+    std::vector<std::pair<int, int>> places_;  ///< [exchange]: of its entries, there and back
+};
+
 /// The irradiation by the factors of all randomisations, or of all but one; empty where these do not balance.
 class Irradiation {
   public:
     /// References are kept.
     Irradiation(const Scene& scene, const Matrix& matrix, const ValuesBehind& behind, const FaceLaws& laws)
-        : adds_up_(form_factors::rows_add_up(scene)), matrix_(matrix), behind_(behind), laws_(laws) {
-        estimates_.areas = matrix.areas;
-        estimates_.exchanges = matrix.exchanges;
-    }
+        : adds_up_(form_factors::rows_add_up(scene)),
+          matrix_(matrix),
+          behind_(behind),
+          laws_(laws),
+          estimates_(matrix),
+          guess_(VectorXd::Zero(laws.emitted.size())) {}
 
     std::optional<VectorXd> from(std::optional<std::size_t> left_out) {
         for (std::size_t i = 0; i < behind_.size(); ++i) {
             if (behind_[i] == nullptr) continue;
             const FaceExchange& exchange = matrix_.exchanges[i];
             const double shift = left_out ? shift_without(*behind_[i], *left_out) : 0;
-            estimates_.exchanges[i].value = std::max(0.0, exchange.value + shift * matrix_.areas[exchange.from]);
+            estimates_.set(i, std::max(0.0, exchange.value + shift * matrix_.areas[exchange.from]));
         }
-        Matrix::Sparse factors = estimates_.factors();
-        VectorXd out = VectorXd::Zero(factors.rows());
+        const Matrix::Sparse& factors = estimates_.factors();
+        VectorXd irradiation;
         if (adds_up_) {
             const Balanced balanced = form_factors::balance_within(matrix_, factors);
             if (!balanced.balanced) return std::nullopt;
-            factors = balanced.factors;
+            irradiation = irradiation_of(balanced.factors, VectorXd::Zero(factors.rows()), laws_, guess_);
         } else {
-            out = (1 - (factors * VectorXd::Ones(factors.cols())).array()).max(0);
+            const VectorXd out = (1 - (factors * VectorXd::Ones(factors.cols())).array()).max(0);
+            irradiation = irradiation_of(factors, out, laws_, guess_);
         }
-        VectorXd irradiation = irradiation_of(factors, out, laws_);
-        return irradiation.allFinite() ? std::optional(std::move(irradiation)) : std::nullopt;
+        if (!irradiation.allFinite()) return std::nullopt;
+        guess_ = irradiation;
+        return irradiation;
     }
 
   private:
@@ -76,7 +107,8 @@ class Irradiation {
     const Matrix& matrix_;
     const ValuesBehind& behind_;
     const FaceLaws& laws_;
-    Matrix estimates_;
+    ChangingFactors estimates_;
+    VectorXd guess_;  ///< the last irradiation, or 0
 };
 
 /// Half widths of irradiations that no spread shows, to first order; empty where that is not enough.

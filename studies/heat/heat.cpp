@@ -239,15 +239,19 @@ Flows find_flows(const Scene& scene, const form_factors::Matrix& matrix, const M
     const auto [factors, widened] = possible_factors(scene, matrix);
     const FaceLaws laws = laws_of(materials);
     expect_solvable(scene, factors, laws, materials);
-    const IrradiationBounds irradiation = bound_irradiation(factors, laws);
-    expect_absorbable(scene, materials, irradiation);
+    const bool takes_away = std::ranges::any_of(
+        materials.faces, [](const Material& material) { return material.flux && *material.flux < 0; });
+    std::optional<IrradiationBounds> limits;
+    if (takes_away || !intervals.statistical) limits = bound_irradiation(factors, laws);
+    if (takes_away) expect_absorbable(scene, materials, *limits);
     const bool outside = sees_out(factors);
     const auto flows_of = [&](const IrradiationBounds& bounds) {
         return all_flows(materials, matrix.areas, scale, bounds, outside);
     };
     std::optional<Flows> statistical;
     if (intervals.statistical) statistical = statistical_flows(scene, matrix, materials, scale, intervals, flows_of);
-    Flows found = statistical ? std::move(*statistical) : flows_of(irradiation);
+    if (!statistical && !limits) limits = bound_irradiation(factors, laws);
+    Flows found = statistical ? std::move(*statistical) : flows_of(*limits);
     if (!found.statistical) found.widened = widened;
     sum_up(found, laws);
     return found;

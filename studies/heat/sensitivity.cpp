@@ -1,8 +1,9 @@
 #include "studies/heat/sensitivity.hpp"
 
+#include "core/radiosity/linear_map.hpp"
 #include "studies/heat/heat.hpp"
 
-#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>
@@ -16,40 +17,37 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Sparse = form_factors::Matrix::Sparse;
 
-VectorXd solve(const Sparse& system, const VectorXd& right, double tolerance = 1e-9) {
-    Eigen::BiCGSTAB<Sparse> solver;
-    solver.setTolerance(tolerance);
-    solver.compute(system);
-    return solver.solve(right);
+/// Solves x = known + F (reflected x).
+VectorXd with_reflections(const Sparse& factors, const FaceLaws& laws, const VectorXd& known, const VectorXd& guess,
+                          double tolerance) {
+    return solve([&](const VectorXd& x) -> VectorXd { return x - factors * laws.reflected.cwiseProduct(x); }, known,
+                 guess, tolerance);
 }
 
-Sparse system_of(const Sparse& factors, const FaceLaws& laws) {
-    Sparse system(factors.rows(), factors.cols());
-    system.setIdentity();
-    return system - Sparse(factors * laws.reflected.asDiagonal());
-}
+constexpr double fine = 1e-9;
 
 }  // namespace
 
-VectorXd irradiation_of(const Sparse& factors, const VectorXd& out, const FaceLaws& laws) {
+VectorXd irradiation_of(const Sparse& factors, const VectorXd& out, const FaceLaws& laws, const VectorXd& guess) {
     constexpr double as_fine_as_possible = std::numeric_limits<double>::epsilon();
-    return solve(system_of(factors, laws), factors * laws.emitted + laws.surroundings * out, as_fine_as_possible);
+    const VectorXd first = factors * laws.emitted + laws.surroundings * out;
+    return with_reflections(factors, laws, first, guess, as_fine_as_possible);
 }
 
 Sensitivity::Sensitivity(const Scene& scene, const form_factors::Matrix& matrix, const Materials& materials,
                          double scale)
-    : matrix_(matrix), laws_(laws_of(materials)), sees_out_(!form_factors::rows_add_up(scene)) {
+    : matrix_(matrix),
+      laws_(laws_of(materials)),
+      sees_out_(!form_factors::rows_add_up(scene)),
+      factors_(matrix.factors()) {
     const auto n = static_cast<Index>(matrix.faces());
-    Sparse factors = matrix.factors();
     VectorXd out = VectorXd::Zero(n);
-    const VectorXd sums = factors * VectorXd::Ones(n);
+    const VectorXd sums = factors_ * VectorXd::Ones(n);
     if (sees_out_)
         out = (1 - sums.array()).max(0);
     else
-        factors = sums.cwiseInverse().asDiagonal() * factors;
-    system_ = system_of(factors, laws_);
-    adjoint_ = system_.transpose();
-    const VectorXd irradiation = solve(system_, factors * laws_.emitted + laws_.surroundings * out);
+        factors_ = sums.cwiseInverse().asDiagonal() * factors_;
+    const VectorXd irradiation = responses_to(factors_ * laws_.emitted + laws_.surroundings * out);
     radiosity_ = laws_.emitted + laws_.reflected.cwiseProduct(irradiation);
     areas_ = Eigen::Map<const VectorXd>(matrix.areas.data(), n) * scale * scale;
     power_ = areas_.cwiseProduct(radiosity_ - irradiation);
@@ -75,7 +73,7 @@ VectorXd Sensitivity::widths(const std::vector<double>& half_widths) const {
         of_rows[from] += half_widths[p] * contrasts_[p].first;
         if (from != to) of_rows[to] += half_widths[p] * contrasts_[p].second;
     }
-    return absorbing_.cwiseProduct(solve(system_, of_rows));
+    return absorbing_.cwiseProduct(responses_to(of_rows));
 }
 
 VectorXd Sensitivity::irradiation_widths(const std::vector<double>& bounds, const std::vector<double>& missed) const {
@@ -100,11 +98,15 @@ VectorXd Sensitivity::irradiation_widths(const std::vector<double>& bounds, cons
         }
         of_rows[static_cast<Index>(face)] = all + most;
     }
-    return solve(system_, of_rows);
+    return responses_to(of_rows);
 }
 
 std::vector<double> Sensitivity::importance(const VectorXd& weights) const {
-    const VectorXd of_rows = solve(adjoint_, weights.cwiseProduct(absorbing_));
+    const auto adjoint = [&](const VectorXd& x) -> VectorXd {
+        return x - laws_.reflected.cwiseProduct(factors_.transpose() * x);
+    };
+    const VectorXd wanted = weights.cwiseProduct(absorbing_);
+    const VectorXd of_rows = solve(adjoint, wanted, VectorXd::Zero(wanted.size()), fine);
     std::vector<double> result;
     for (std::size_t p = 0; p < contrasts_.size(); ++p) {
         const auto [from, to] = ends(p);
@@ -112,6 +114,10 @@ std::vector<double> Sensitivity::importance(const VectorXd& weights) const {
         result.push_back(std::max(0.0, from == to ? one_way : one_way + of_rows[to] * contrasts_[p].second));
     }
     return result;
+}
+
+VectorXd Sensitivity::responses_to(const VectorXd& known) const {
+    return with_reflections(factors_, laws_, known, VectorXd::Zero(known.size()), fine);
 }
 
 std::pair<Index, Index> Sensitivity::ends(std::size_t p) const {

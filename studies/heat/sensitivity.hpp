@@ -14,9 +14,10 @@
 namespace ff::studies::heat {
 
 /// The irradiation of each face for given factors. @param factors  between faces @param out  what each row leaves for
-/// the surroundings @return not finite where the laws do not determine it
+/// the surroundings @param guess  the irradiation by factors nearly like these, or 0
+/// @return not finite where the laws do not determine it
 Eigen::VectorXd irradiation_of(const form_factors::Matrix::Sparse& factors, const Eigen::VectorXd& out,
-                               const FaceLaws& laws);
+                               const FaceLaws& laws, const Eigen::VectorXd& guess);
 
 /// How flows change with exchange areas, to first order, near the mean factors of a matrix. Rows add up to 1, so that
 /// errors only move radiation between faces.
@@ -49,8 +50,7 @@ class Sensitivity {
     const form_factors::Matrix& matrix_;
     FaceLaws laws_;
     bool sees_out_;
-    form_factors::Matrix::Sparse system_;
-    form_factors::Matrix::Sparse adjoint_;
+    form_factors::Matrix::Sparse factors_;  ///< rows add up to 1 where nothing leaves the scene
     Eigen::VectorXd radiosity_;
     Eigen::VectorXd areas_;
     Eigen::VectorXd power_;
@@ -58,6 +58,8 @@ class Sensitivity {
     /// [pair]: irradiation of `from`, and of `to`, for each unit of error in the exchange area, in W/m² per m².
     std::vector<std::pair<double, double>> contrasts_;
 
+    /// Irradiations whose first incidence is given, before anything is reflected.
+    [[nodiscard]] Eigen::VectorXd responses_to(const Eigen::VectorXd& known) const;
     [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> ends(std::size_t p) const;
     [[nodiscard]] Eigen::Index other_end(std::size_t p, std::size_t face) const;
     [[nodiscard]] double median(const std::vector<std::uint32_t>& row, std::size_t face) const;

@@ -3,6 +3,7 @@
 #include "core/geometry/surface_map.hpp"
 
 #include <Eigen/Geometry>
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,9 @@ using Eigen::Vector3d;
 
 /// Lengths that differ by less, as a share of the pair's size, are taken for equal.
 constexpr double same_length = 1e-10;
+
+/// So many corners need no memory of their own.
+constexpr std::size_t few_corners = 16;
 
 ConvexPolygon moved(const Surface& surface, const Vector3d& origin) {
     ConvexPolygon result = outline(surface);
@@ -43,7 +47,7 @@ bool is_passed_by(const BlockedPair& pair, const Vector3d& a, const Vector3d& b)
     const Vector3d along = (b - a).normalized();
     const Vector3d across = perpendicular(along);
     const Vector3d up = along.cross(across);
-    std::vector<Eigen::Vector2d> seen;  // along the line
+    boost::container::small_vector<Eigen::Vector2d, few_corners> seen;  // along the line
     for (const ConvexPolygon* end : {&pair.source, &pair.target}) {
         for (const Vector3d& corner : *end) seen.emplace_back(across.dot(corner - a), up.dot(corner - a));
     }
@@ -90,6 +94,7 @@ std::vector<RimEdge> rim_of(const BlockedPair& pair) {
         bool inner = false;
     };
     std::vector<Edge> edges;
+    edges.reserve(4 * pair.blockers.size());
     for (std::size_t k = 0; k < pair.blockers.size(); ++k) {
         const ConvexPolygon& blocker = pair.blockers[k];
         const int side = side_of_source(pair, blocker);
@@ -100,12 +105,13 @@ std::vector<RimEdge> rim_of(const BlockedPair& pair) {
         }
     }
     const double room = same_length * pair.size;
+    const auto is_same = [room](const Vector3d& a, const Vector3d& b) { return (a - b).squaredNorm() <= room * room; };
     for (std::size_t i = 0; i < edges.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             const RimEdge& one = edges[i].edge;
             const RimEdge& other = edges[j].edge;
-            const bool against = (one.a - other.b).norm() <= room && (one.b - other.a).norm() <= room;
-            const bool along = (one.a - other.a).norm() <= room && (one.b - other.b).norm() <= room;
+            const bool against = is_same(one.a, other.b) && is_same(one.b, other.a);
+            const bool along = is_same(one.a, other.a) && is_same(one.b, other.b);
             const int turned = against ? 1 : along ? -1 : 0;
             if (turned != 0 && edges[i].side != 0 && edges[i].side == turned * edges[j].side)
                 edges[i].inner = edges[j].inner = true;
@@ -133,12 +139,12 @@ class Lines {
     void add(const Vector3d& p, const Vector3d& normal, const Happens& happens) {
         const Vector3d across = normal - normal.dot(pair_.source_normal) * pair_.source_normal;
         if (!(across.norm() > same_length * normal.norm())) return;
-        std::vector<double> heights;
+        boost::container::small_vector<double, few_corners> heights;
         for (const Vector3d& corner : pair_.source) heights.push_back(normal.dot(corner - p) / across.norm());
         const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
         const double room = same_length * radius_;
         if (*low > -room || *high < room) return;
-        std::vector<Vector3d> ends;
+        boost::container::small_vector<Vector3d, 2> ends;
         for (std::size_t k = 0; k < heights.size(); ++k) {
             const double before = heights[k];
             const double after = next_corner(heights, k);
@@ -157,7 +163,7 @@ class Lines {
             return false;
         };
         if (std::none_of(lines_.begin(), lines_.end(), is_same))
-            lines_.push_back({ends[0], across.normalized(), std::move(heights)});
+            lines_.push_back({ends[0], across.normalized(), {heights.begin(), heights.end()}});
     }
 
     /// Each line adds at least one part.

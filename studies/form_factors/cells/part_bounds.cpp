@@ -55,8 +55,8 @@ void Rims::add_blocker(const std::vector<RimEdge>& edges) {
 std::vector<std::uint32_t> Rims::indices_of(const std::vector<RimEdge>& edges) {
     std::vector<std::uint32_t> result;
     for (const RimEdge& edge : edges) {
-        const double room = 1e-12 * (edge.b - edge.a).norm();
-        const auto is_near = [&](const Vector3d& x, const Vector3d& y) { return (x - y).norm() <= room; };
+        const double room = 1e-24 * (edge.b - edge.a).squaredNorm();
+        const auto is_near = [&](const Vector3d& x, const Vector3d& y) { return (x - y).squaredNorm() <= room; };
         const auto same = std::find_if(edges_.begin(), edges_.end(), [&](const RimEdge& other) {
             return (is_near(edge.a, other.a) && is_near(edge.b, other.b)) ||
                    (is_near(edge.a, other.b) && is_near(edge.b, other.a));

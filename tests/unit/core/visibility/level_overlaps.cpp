@@ -59,7 +59,7 @@ TEST(LevelOverlaps, AreLevelWithinTheToleranceOfOcclusion) {
                                   false));
         const auto found = level_overlaps(scene);
         ASSERT_EQ(found.size(), 1u) << height;
-        const bool hides = !keeps_clear(scene.surfaces[1], scene.surfaces[0], scene.surfaces[2]);
+        const bool hides = !LinesBetween(scene.surfaces[0], scene.surfaces[2]).keep_clear_of(scene.surfaces[1]);
         EXPECT_TRUE(hides || found[0].level) << height;
         EXPECT_EQ(found[0].level, height <= level_gap(scene)) << height;
     }

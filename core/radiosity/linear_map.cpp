@@ -1,0 +1,69 @@
+#include "core/radiosity/linear_map.hpp"
+
+#include <Eigen/IterativeLinearSolvers>
+
+namespace ff {
+namespace {
+
+class MapMatrix;
+
+}  // namespace
+}  // namespace ff
+
+// What Eigen asks of a matrix that is no array of numbers.
+template <>
+struct Eigen::internal::traits<ff::MapMatrix> : Eigen::internal::traits<Eigen::SparseMatrix<double>> {};
+
+namespace ff {
+namespace {
+
+class MapMatrix : public Eigen::EigenBase<MapMatrix> {
+  public:
+    using Scalar = double;
+    using RealScalar = double;
+    using StorageIndex = int;
+    enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic, IsRowMajor = false };
+
+    MapMatrix(const LinearMap& map, Eigen::Index size) : map_(map), size_(size) {}
+
+    [[nodiscard]] Eigen::Index rows() const { return size_; }
+    [[nodiscard]] Eigen::Index cols() const { return size_; }
+    [[nodiscard]] Eigen::VectorXd times(const Eigen::VectorXd& x) const { return map_(x); }
+
+    template <class Vector>
+    Eigen::Product<MapMatrix, Vector, Eigen::AliasFreeProduct> operator*(const Eigen::MatrixBase<Vector>& x) const {
+        return {*this, x.derived()};
+    }
+
+  private:
+    const LinearMap& map_;
+    Eigen::Index size_;
+};
+
+}  // namespace
+}  // namespace ff
+
+template <class Vector>
+struct Eigen::internal::generic_product_impl<ff::MapMatrix, Vector, Eigen::SparseShape, Eigen::DenseShape,
+                                             Eigen::GemvProduct>
+    : generic_product_impl_base<ff::MapMatrix, Vector, generic_product_impl<ff::MapMatrix, Vector>> {
+    template <class Result>
+    static void scaleAndAddTo(Result& result, const ff::MapMatrix& matrix, const Vector& x, double scale) {
+        result += scale * matrix.times(x);
+    }
+};
+
+namespace ff {
+
+Eigen::VectorXd solve(const LinearMap& map, const Eigen::VectorXd& right, const Eigen::VectorXd& guess,
+                      double tolerance) {
+    constexpr Eigen::Index most_iterations = 500;
+    const MapMatrix matrix(map, right.size());
+    Eigen::BiCGSTAB<MapMatrix, Eigen::IdentityPreconditioner> solver;
+    solver.setTolerance(tolerance);
+    solver.setMaxIterations(most_iterations);
+    solver.compute(matrix);
+    return solver.solveWithGuess(right, guess);
+}
+
+}  // namespace ff
