@@ -100,7 +100,7 @@ void write_comparisons_csv(std::ostream& out, const studies::StudyResults& resul
                    "better_repeats=better/repeats,better_group=better/group,worse=worse/method,"
                    "worse_patches_per_face=worse/patches_per_face,worse_samples_per_patch=worse/samples_per_patch,"
                    "worse_repeats=worse/repeats,worse_group=worse/group,ratio,ratio_ci_low=interval/low,"
-                   "ratio_ci_high=interval/high,level,apart");
+                   "ratio_ci_high=interval/high,level,apart,times_trials");
     const studies::StudySpec& spec = results.findings.plan.spec;
     for (Json& contest : contests_json(results, timed)) {
         const Json ratios = std::move(contest["ratios"]);

@@ -133,7 +133,8 @@ Json contests_json(const studies::StudyResults& results, Timed timed) {
                               {"worse", handicap.worse},
                               {"ratio", handicap.ratio},
                               {"interval", interval_json(handicap.interval)},
-                              {"apart", handicap.apart}});
+                              {"apart", handicap.apart},
+                              {"times_trials", optional_json(handicap.times_trials)}});
         }
         Json exact = Json::array();
         for (const std::size_t cell : contest.exact) exact.push_back(cell_label(plan, plan.cells[cell]));

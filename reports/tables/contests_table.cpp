@@ -80,6 +80,24 @@ Equal equal_for_one(const studies::StudyResults& results, bool timed) {
     return measured ? Equal::processor_time : Equal::evaluations;
 }
 
+/// What it takes to tell the first two of each class of pairs apart; empty where that is done.
+std::string what_would_tell(const studies::StudyResults& results) {
+    std::vector<std::string> all;
+    for (const Contest* contest : studies::main_contests(results.contests, Equal::evaluations)) {
+        for (const studies::Handicap& handicap : contest->handicaps) {
+            if (!contest->exact.empty() || handicap.better != 0 || handicap.worse != 1 || !handicap.times_trials)
+                continue;
+            all.push_back(fmt::format("{} times the trials on {} pairs", brief(*handicap.times_trials, 2),
+                                      name(contest->pair_class)));
+        }
+    }
+    if (all.empty()) return {};
+    return fmt::format(
+        "To show which of the first two is better at equal evaluations would take {}, if their ratio is "
+        "as measured.",
+        listed(all));
+}
+
 constexpr std::string_view measured_elsewhere =
     "What methods do in equal processor time differs from run to run: the run printed it, and "
     "comparisons_by_time.csv has it.";
@@ -142,6 +160,7 @@ Table side_by_side(const studies::StudyResults& results, bool timed) {
         fmt::format("Intervals of level {:g} hold together for all pairs of methods, sizes and classes of pairs in a "
                     "column, of a scene (Bonferroni). All of them: comparisons.csv.",
                     plan.spec.level));
+    if (std::string takes = what_would_tell(results); !takes.empty()) table.remarks.push_back(std::move(takes));
     if (!timed) table.remarks.emplace_back(measured_elsewhere);
     if (timed && studies::main_contests(results.contests, Equal::processor_time).empty())
         table.remarks.emplace_back("No processor time was measured of these trials.");

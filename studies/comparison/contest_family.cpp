@@ -1,6 +1,7 @@
 #include "studies/comparison/contest_family.hpp"
 
 #include "core/exact/known_factors.hpp"
+#include "stats/basics/distributions.hpp"
 #include "studies/comparison/ranking.hpp"
 
 #include <algorithm>
@@ -105,23 +106,42 @@ std::vector<double> budgets(const std::vector<Contender>& all, const std::vector
     return budgets;
 }
 
-Handicap compare(const Contest& contest, const std::vector<Placed>& placed, std::size_t a, std::size_t b, double level,
-                 double pairs, const Field& field) {
+/// What is claimed of all pairs of entrants together.
+struct Claim {
+    double level;
+    double power;
+    double pairs;
+
+    [[nodiscard]] double level_of_each() const { return 1 - (1 - level) / pairs; }
+    /// How many times the trials it takes to show a ratio. @param low  lower end of its interval, at most 1
+    [[nodiscard]] std::optional<double> times_trials(double ratio, double low) const {
+        if (!(ratio > 1) || !(low > 0)) return std::nullopt;
+        const double more_for_power =
+            1 + stats::normal_critical(1 - power) / stats::normal_critical((1 - level_of_each()) / 2);
+        const double times = std::pow(std::log(ratio / low) / std::log(ratio) * more_for_power, 2);
+        constexpr double most = 1e6;
+        return times <= most ? std::optional(times) : std::nullopt;
+    }
+};
+
+Handicap compare(const Contest& contest, const std::vector<Placed>& placed, std::size_t a, std::size_t b,
+                 const Claim& claim, const Field& field) {
     const Placed& better = placed[a];
     const Placed& worse = placed[b];
-    Handicap handicap{a, b, worse.entrant.value / better.entrant.value, std::nullopt, false};
+    Handicap handicap{a, b, worse.entrant.value / better.entrant.value, std::nullopt};
     const double shared = contest.equal == Equal::evaluations
                               ? field.shared_noise(better.entrant.cell, worse.entrant.cell, contest.pair_class)
                               : 0;
-    const auto interval = ratio_interval(better.logarithm, worse.logarithm, 1 - (1 - level) / pairs, shared);
+    const auto interval = ratio_interval(better.logarithm, worse.logarithm, claim.level_of_each(), shared);
     handicap.apart = interval ? interval->low > 1 : handicap.ratio > 1 + 1e-9;
+    if (interval && !handicap.apart) handicap.times_trials = claim.times_trials(handicap.ratio, interval->low);
     if (!interval || !interval->is_finite() || interval->low == 0) return handicap;
     handicap.interval = interval;
-    handicap.interval->level = level;
+    handicap.interval->level = claim.level;
     return handicap;
 }
 
-void decide(Contest& contest, const std::vector<Placed>& placed, double level, double pairs, const Field& field) {
+void decide(Contest& contest, const std::vector<Placed>& placed, const Claim& claim, const Field& field) {
     const std::size_t n = placed.size();
     std::vector<bool> differ(n * n, false);
     std::vector<double> values;
@@ -129,7 +149,7 @@ void decide(Contest& contest, const std::vector<Placed>& placed, double level, d
         contest.entrants.push_back(placed[a].entrant);
         values.push_back(placed[a].entrant.value);
         for (std::size_t b = a + 1; b < n; ++b) {
-            const Handicap handicap = compare(contest, placed, a, b, level, pairs, field);
+            const Handicap handicap = compare(contest, placed, a, b, claim, field);
             differ[a * n + b] = handicap.apart;
             contest.handicaps.push_back(handicap);
         }
@@ -212,7 +232,7 @@ double shared_noise(const CellOfRun& a, const CellOfRun& b, PairClass pair_class
     return squares_x > 0 && squares_y > 0 ? products / std::sqrt(squares_x * squares_y) : 0;
 }
 
-void hold(std::size_t scene, const Field& field, double level, std::vector<Contest>& contests) {
+void hold(std::size_t scene, const Field& field, const StudySpec& spec, std::vector<Contest>& contests) {
     std::vector<Undecided> undecided;
     std::map<Equal, double> pairs;  // of entrants
     for (const PairClass pair_class : pair_classes) {
@@ -225,7 +245,7 @@ void hold(std::size_t scene, const Field& field, double level, std::vector<Conte
         }
     }
     for (auto& [contest, placed] : undecided) {
-        decide(contest, placed, level, pairs[contest.equal], field);
+        decide(contest, placed, {spec.level, spec.power, pairs[contest.equal]}, field);
         contests.push_back(std::move(contest));
     }
 }

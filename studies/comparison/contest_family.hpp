@@ -30,6 +30,7 @@ struct Field {
 
 /// Adds all contests of a scene. The intervals of those with the same thing equal hold together.
 /// @param scene  for Contest::scene
-void hold(std::size_t scene, const Field& field, double level, std::vector<Contest>& contests);
+/// @param spec   for the level, and the power of Handicap::times_trials
+void hold(std::size_t scene, const Field& field, const StudySpec& spec, std::vector<Contest>& contests);
 
 }  // namespace ff::studies

@@ -19,7 +19,7 @@ std::vector<Contest> hold_contests(const CellReader& cells, const Analysis& find
             [&](std::size_t a, std::size_t b, PairClass pair_class) {
                 return shared_noise({&cells, a}, {&cells, b}, pair_class);
             }};
-        hold(scene, field, findings.plan.spec.level, contests);
+        hold(scene, field, findings.plan.spec, contests);
     }
     return contests;
 }

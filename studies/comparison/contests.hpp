@@ -42,6 +42,9 @@ struct Handicap {
     double ratio = 1;                         ///< worse value / better value, at least 1
     std::optional<stats::Interval> interval;  ///< empty where neither varies, and where an end would be infinite
     bool apart = false;                       ///< the ratio is shown to be above 1
+    /// How many times the trials would show that, with the study's power, if the ratio is as measured; empty where it
+    /// is shown, where nothing varies, and beyond a million.
+    std::optional<double> times_trials = std::nullopt;
 };
 
 /// Methods of a study on a class of pairs of a scene, at one budget: an entrant, and another or an exact one. Intervals

@@ -86,7 +86,8 @@ std::optional<Bout> bout_of(const Contest& contest, const Both& both) {
               .pair_class = contest.pair_class,
               .equal = contest.equal,
               .budget = contest.budget,
-              .interval = std::nullopt};
+              .interval = std::nullopt,
+              .times_trials = std::nullopt};
     std::array<std::optional<std::size_t>, 2> entered;  // indices into the entrants
     std::array<bool, 2> exact{false, false};
     for (std::size_t i = contest.entrants.size(); i-- > 0;) entered[both.side_of(contest.entrants[i].cell)] = i;
@@ -113,6 +114,7 @@ std::optional<Bout> bout_of(const Contest& contest, const Both& both) {
     bout.ratio = found->ratio;
     bout.interval = found->interval;
     bout.is_shown = found->apart;
+    bout.times_trials = found->times_trials;
     return bout;
 }
 
@@ -124,7 +126,7 @@ std::vector<Bout> hold_duel(const Duellist& first, const Duellist& second,
     std::vector<Bout> bouts;
     for (const auto& [in_first, in_second] : scenes) {
         std::vector<Contest> contests;
-        hold(in_first, both.field({in_first, in_second}), first.findings.plan.spec.level, contests);
+        hold(in_first, both.field({in_first, in_second}), first.findings.plan.spec, contests);
         std::erase_if(contests, [&](const Contest& contest) { return !bout_of(contest, both); });
         for (const Equal equal : {Equal::evaluations, Equal::processor_time, Equal::error}) {
             const auto most_informative = main_contests(contests, equal);

@@ -29,9 +29,10 @@ struct Bout {
     double ratio = 1;                    ///< of the mean square errors, or at equal error of the evaluations; 1 or more
     /// Interval of the ratio; empty where neither varies, where the better one is exact, and where an end is infinite.
     std::optional<stats::Interval> interval;
-    bool is_exact = false;  ///< the better one errs by rounding alone, and the ratio means nothing
-    bool is_shown = false;  ///< that it is better
-    bool is_main = false;   ///< the most informative one of its scene, class and equality
+    bool is_exact = false;               ///< the better one errs by rounding alone, and the ratio means nothing
+    bool is_shown = false;               ///< that it is better
+    std::optional<double> times_trials;  ///< as Handicap::times_trials
+    bool is_main = false;                ///< the most informative one of its scene, class and equality
 };
 
 /// The contests of two methods of one run or of two, whatever their sizes. All intervals of a scene with the same thing

@@ -46,6 +46,25 @@ TEST(Contests, RepeatSizesBelowTheBudget) {
     EXPECT_NEAR(repeated->repeats, 100, 1e-9);
 }
 
+// A with 10000 rays against the mean of 100 runs of B.
+TEST(Contests, SayHowManyTrialsWouldShowADifference) {
+    const auto handicap_of = [](double error_of_a) {
+        const auto contests = parallel_contests(test::store_with_errors({0.04, error_of_a, 0.02}), Equal::evaluations);
+        return contests.back().handicaps.front();
+    };
+    EXPECT_FALSE(handicap_of(0.008).times_trials.has_value()) << "shown";
+    double before = 1;
+    for (const double error_of_a : {0.0023, 0.0022, 0.0021}) {
+        const Handicap handicap = handicap_of(error_of_a);
+        ASSERT_TRUE(handicap.interval && handicap.times_trials) << error_of_a;
+        const double below = std::log(handicap.ratio / handicap.interval->low) / std::log(handicap.ratio);
+        EXPECT_GT(*handicap.times_trials, std::pow(below, 2)) << "which would show it in half of all studies";
+        EXPECT_LT(*handicap.times_trials, 4 * std::pow(below, 2));
+        EXPECT_GT(*handicap.times_trials, before) << "the nearer to each other, the more";
+        before = *handicap.times_trials;
+    }
+}
+
 // The RMSEs are twice the scales. To reach A's 0.004 with 10000 rays, B is between its 0.04 with 100 and its 0.002 with
 // 10000: 100 * 100^(ln 10 / ln 20) = 3446. A's 0.08 is more than B has at any size.
 TEST(Contests, InterpolateBetweenSizesToReachAnEqualError) {
