@@ -134,7 +134,9 @@ Handicap compare(const Contest& contest, const std::vector<Placed>& placed, std:
                               : 0;
     const auto interval = ratio_interval(better.logarithm, worse.logarithm, claim.level_of_each(), shared);
     handicap.apart = interval ? interval->low > 1 : handicap.ratio > 1 + 1e-9;
-    if (interval && !handicap.apart) handicap.times_trials = claim.times_trials(handicap.ratio, interval->low);
+    // Much of the uncertainty of a clock does not become less with more trials.
+    if (interval && !handicap.apart && contest.equal != Equal::processor_time)
+        handicap.times_trials = claim.times_trials(handicap.ratio, interval->low);
     if (!interval || !interval->is_finite() || interval->low == 0) return handicap;
     handicap.interval = interval;
     handicap.interval->level = claim.level;

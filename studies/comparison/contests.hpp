@@ -43,7 +43,7 @@ struct Handicap {
     std::optional<stats::Interval> interval;  ///< empty where neither varies, and where an end would be infinite
     bool apart = false;                       ///< the ratio is shown to be above 1
     /// How many times the trials would show that, with the study's power, if the ratio is as measured; empty where it
-    /// is shown, where nothing varies, and beyond a million.
+    /// is shown, where nothing varies, at equal processor time, and beyond a million.
     std::optional<double> times_trials = std::nullopt;
 };
 
