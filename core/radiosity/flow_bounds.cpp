@@ -51,7 +51,8 @@ VectorXd fixed_point(const Sparse& chosen, const VectorXd& reflected, const Vect
         sent << reflected.cwiseProduct(x), 0;
         return x - chosen * sent;
     };
-    return solve(less_what_returns, known, guess, epsilon);
+    constexpr Index most_iterations = 500;  // what these leave is bounded
+    return solve(less_what_returns, known, guess, epsilon, most_iterations);
 }
 
 /// Approaches the fixed point of x = constant + max F (emitted + reflected x). @param take  gets every approximation x

@@ -56,8 +56,7 @@ struct Eigen::internal::generic_product_impl<ff::MapMatrix, Vector, Eigen::Spars
 namespace ff {
 
 Eigen::VectorXd solve(const LinearMap& map, const Eigen::VectorXd& right, const Eigen::VectorXd& guess,
-                      double tolerance) {
-    constexpr Eigen::Index most_iterations = 500;
+                      double tolerance, Eigen::Index most_iterations) {
     const MapMatrix matrix(map, right.size());
     Eigen::BiCGSTAB<MapMatrix, Eigen::IdentityPreconditioner> solver;
     solver.setTolerance(tolerance);

@@ -12,8 +12,8 @@ using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd& x)>;
 /// Solves map(x) = right by iteration (BiCGSTAB).
 /// @param guess      the first approximation
 /// @param tolerance  largest residual, as a share of `right`
-/// @return as near as the iteration comes; not finite where it breaks down
+/// @return as near as this many iterations come; not finite where they break down
 Eigen::VectorXd solve(const LinearMap& map, const Eigen::VectorXd& right, const Eigen::VectorXd& guess,
-                      double tolerance);
+                      double tolerance, Eigen::Index most_iterations);
 
 }  // namespace ff

@@ -17,19 +17,31 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Sparse = form_factors::Matrix::Sparse;
 
+constexpr double fine = 1e-9;
+constexpr double as_fine_as_possible = std::numeric_limits<double>::epsilon();
+
+/// The solution of a system of equations for faces; not finite where the iteration did not come near enough, as it may
+/// in a duct of hundreds of adiabatic sections.
+VectorXd solved(const LinearMap& map, const VectorXd& right, const VectorXd& guess, double tolerance) {
+    constexpr double near_enough = 1e-12;
+    constexpr Index always_allowed = 500;
+    VectorXd x = solve(map, right, guess, tolerance, std::max(always_allowed, 2 * right.size()));
+    const double left = (map(x) - right).norm();
+    if (!(left <= std::max(near_enough, 10 * tolerance) * right.norm()))
+        x.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return x;
+}
+
 /// Solves x = known + F (reflected x).
 VectorXd with_reflections(const Sparse& factors, const FaceLaws& laws, const VectorXd& known, const VectorXd& guess,
                           double tolerance) {
-    return solve([&](const VectorXd& x) -> VectorXd { return x - factors * laws.reflected.cwiseProduct(x); }, known,
-                 guess, tolerance);
+    const auto map = [&](const VectorXd& x) -> VectorXd { return x - factors * laws.reflected.cwiseProduct(x); };
+    return solved(map, known, guess, tolerance);
 }
-
-constexpr double fine = 1e-9;
 
 }  // namespace
 
 VectorXd irradiation_of(const Sparse& factors, const VectorXd& out, const FaceLaws& laws, const VectorXd& guess) {
-    constexpr double as_fine_as_possible = std::numeric_limits<double>::epsilon();
     const VectorXd first = factors * laws.emitted + laws.surroundings * out;
     return with_reflections(factors, laws, first, guess, as_fine_as_possible);
 }
@@ -106,7 +118,7 @@ std::vector<double> Sensitivity::importance(const VectorXd& weights) const {
         return x - laws_.reflected.cwiseProduct(factors_.transpose() * x);
     };
     const VectorXd wanted = weights.cwiseProduct(absorbing_);
-    const VectorXd of_rows = solve(adjoint, wanted, VectorXd::Zero(wanted.size()), fine);
+    const VectorXd of_rows = solved(adjoint, wanted, VectorXd::Zero(wanted.size()), fine);
     std::vector<double> result;
     for (std::size_t p = 0; p < contrasts_.size(); ++p) {
         const auto [from, to] = ends(p);

@@ -23,7 +23,7 @@ TEST(LinearMap, IsSolvedLikeItsMatrix) {
         const VectorXd exact = matrix.partialPivLu().solve(right);
         const LinearMap map = [&](const VectorXd& x) -> VectorXd { return matrix * x; };
         for (const VectorXd& guess : {VectorXd(VectorXd::Zero(n)), exact, VectorXd(1e3 * exact)})
-            EXPECT_LT((solve(map, right, guess, 1e-14) - exact).norm(), 1e-11 * exact.norm()) << n;
+            EXPECT_LT((solve(map, right, guess, 1e-14, 500) - exact).norm(), 1e-11 * exact.norm()) << n;
     }
 }
 
@@ -36,11 +36,11 @@ TEST(LinearMap, StopsAsNearAsTheToleranceAsks) {
         return diagonal.cwiseProduct(x);
     };
     const VectorXd right = VectorXd::Ones(n);
-    const VectorXd rough = solve(map, right, VectorXd::Zero(n), 1e-2);
+    const VectorXd rough = solve(map, right, VectorXd::Zero(n), 1e-2, 500);
     const int for_rough = products;
     EXPECT_LE((diagonal.cwiseProduct(rough) - right).norm(), 1e-2 * right.norm());
     products = 0;
-    const VectorXd fine = solve(map, right, VectorXd::Zero(n), 1e-12);
+    const VectorXd fine = solve(map, right, VectorXd::Zero(n), 1e-12, 500);
     EXPECT_LE((diagonal.cwiseProduct(fine) - right).norm(), 1e-11 * right.norm());
     EXPECT_LT(for_rough, products);
 }

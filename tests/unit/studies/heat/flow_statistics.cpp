@@ -3,6 +3,7 @@
 #include "stats/basics/binomial.hpp"
 #include "studies/form_factors/form_factors.hpp"
 #include "studies/heat/heat.hpp"
+#include "studies/heat/sensitivity.hpp"
 #include "studies/scene_files/scene_file.hpp"
 #include "tests/support/known_flows.hpp"
 
@@ -87,6 +88,34 @@ facing = "outward"
     EXPECT_LT(flows.faces[1].power.half_width(), 1e-6);
     EXPECT_EQ(flows.balance.low, 0);
     EXPECT_EQ(flows.balance.high, 0);
+}
+
+// A row of adiabatic faces between two black ones, of which each sees its neighbours: the irradiation falls evenly from
+// one end to the other. An iteration needs the more steps the longer the row is, and must not pass for a solution
+// before.
+TEST(StatisticalFlows, RestOnSolutionsOrOnNone) {
+    for (const Eigen::Index n : {100, 1000, 4000}) {
+        std::vector<Eigen::Triplet<double>> entries;
+        for (Eigen::Index i = 0; i < n; ++i) {
+            for (const Eigen::Index j : {i - 1, i + 1}) {
+                if (j < 0 || j == n) continue;
+                entries.emplace_back(static_cast<int>(i), static_cast<int>(j), i == 0 || i == n - 1 ? 1 : 0.5);
+            }
+        }
+        form_factors::Matrix::Sparse factors(n, n);
+        factors.setFromTriplets(entries.begin(), entries.end());
+        FaceLaws laws{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Ones(n), 0};
+        laws.emitted[0] = 1;
+        laws.reflected[0] = laws.reflected[n - 1] = 0;
+        const Eigen::VectorXd zero = Eigen::VectorXd::Zero(n);
+        const Eigen::VectorXd irradiation = irradiation_of(factors, zero, laws, zero);
+        if (n == 100) {
+            EXPECT_TRUE(irradiation.allFinite());
+        }
+        if (!irradiation.allFinite()) continue;
+        for (Eigen::Index i = 1; i + 1 < n; ++i)
+            ASSERT_NEAR(irradiation[i], 1 - static_cast<double>(i) / static_cast<double>(n - 1), 1e-5) << n << " " << i;
+    }
 }
 
 // Noise gives neutral faces small powers, which must not pass for sources; the fourth root of a noisy irradiation
