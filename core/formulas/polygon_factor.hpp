@@ -77,11 +77,13 @@ class ArcSums {
     /// @param sign  of its factor in the sum of a place
     template <class AnyPolygon>
     void add(std::size_t place, const AnyPolygon& piece, double sign) {
-        for (std::size_t k = 0; k < piece.size(); ++k) {
-            if (arcs_.is_full()) flush();
-            of_[arcs_.size] = {static_cast<std::uint32_t>(place), sign};
-            arcs_.add(piece[k], next_corner(piece, k));
-        }
+        for (std::size_t k = 0; k < piece.size(); ++k) add(place, piece[k], next_corner(piece, k), sign);
+    }
+    /// Adds the edge from `a` to `b`.
+    void add(std::size_t place, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double sign) {
+        if (arcs_.is_full()) flush();
+        of_[arcs_.size] = {static_cast<std::uint32_t>(place), sign};
+        arcs_.add(a, b);
     }
 
     /// The sum of each place.

@@ -13,7 +13,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <numeric>
 #include <utility>
 
@@ -74,11 +73,8 @@ bool cut(SmallPolygon& polygon, const Vector3d& normal, double rounding, SmallPo
     return true;
 }
 
-/// Blockers may be before each other by this share of the size of all.
-constexpr double convex_room = 1e-14;
-
-/// From this many blockers on, it pays to determine first which of them are beside the target.
-constexpr std::size_t least_for_cone = 3;
+/// Up to so many shadows, it takes less time to cut pieces out than to outline what is left.
+constexpr std::size_t most_in_pieces = 2;
 
 /// An edge has to be this many times as long as the rounding of coordinates.
 constexpr double roundings_of_edge = 256;
@@ -112,7 +108,7 @@ void find_sides(const SmallPolygon& polygon, double rounding, SmallPolygon& side
 }
 
 /// @param room  what reaches no further inside is outside
-bool is_outside(const SmallPolygon& piece, const SmallPolygon& sides, double room = 0) {
+bool is_outside(const SmallPolygon& piece, const SmallPolygon& sides, double room) {
     return std::any_of(sides.begin(), sides.end(), [&](const Vector3d& side) {
         return std::all_of(piece.begin(), piece.end(), [&](const Vector3d& v) { return side.dot(v) <= room; });
     });
@@ -148,65 +144,66 @@ bool hide(SmallPolygon& piece, const SmallPolygon& shadow, double rounding) {
     return differs;
 }
 
-// NOLINTNEXTLINE(bugprone-exception-escape): moving a small vector of vectors throws nothing.
-struct Shadow {
-    std::uint32_t blocker = 0;
-    bool of_front = false;  ///< the blocker is seen from the front
-    SmallPolygon sides;     ///< normals of the planes around it, towards its inside
-};
+/// The sides of shadows.
+using Shadows = boost::container::small_vector<SmallPolygon, 4>;
 
 /// Adds the part of a convex piece that no shadow hides. What a shadow hides is taken off the sum where no other one
-/// hides any of that, as with neighbours in a mesh; else the piece is cut up along the shadow's sides.
-class Adding {
-  public:
-    /// @param are_convex  for two blockers: no line meets the same side of both
-    Adding(const std::vector<bool>& are_convex, std::size_t blockers, double rounding, ArcSums& sums, std::size_t place)
-        : are_convex_(are_convex), blockers_(blockers), rounding_(rounding), sums_(sums), place_(place) {}
-
-    // NOLINTNEXTLINE(misc-no-recursion): each level has fewer shadows.
-    void add(SmallPolygon piece, std::span<const Shadow> shadows) {
-        for (; !shadows.empty(); shadows = shadows.subspan(1)) {
-            const Shadow& shadow = shadows.front();
-            const std::span<const Shadow> others = shadows.subspan(1);
-            if (is_outside(piece, shadow.sides, rounding_)) continue;
-            SmallPolygon hidden = piece;
-            if (!hide(hidden, shadow.sides, rounding_)) return;
-            if (hidden.empty()) continue;
-            const auto overlaps = [&](const Shadow& other) {
-                return !are_apart(shadow, other) && !is_outside(hidden, other.sides, rounding_);
-            };
-            if (std::any_of(others.begin(), others.end(), overlaps)) {
-                for (const Vector3d& side : shadow.sides) {
-                    SmallPolygon outside;
-                    cut(piece, side, rounding_, &outside);
-                    if (!outside.empty()) add(std::move(outside), others);
-                    if (piece.empty()) break;
-                }
-                return;
+/// hides any of that; else the piece is cut up along the shadow's sides.
+// NOLINTNEXTLINE(misc-no-recursion): each level has fewer shadows.
+void add_visible(SmallPolygon piece, std::span<const SmallPolygon> shadows, double rounding, std::size_t place,
+                 ArcSums& sums) {
+    for (; !shadows.empty(); shadows = shadows.subspan(1)) {
+        const SmallPolygon& shadow = shadows.front();
+        const std::span<const SmallPolygon> others = shadows.subspan(1);
+        if (is_outside(piece, shadow, rounding)) continue;
+        SmallPolygon hidden = piece;
+        if (!hide(hidden, shadow, rounding)) return;
+        if (hidden.empty()) continue;
+        const auto overlaps = [&](const SmallPolygon& other) { return !is_outside(hidden, other, rounding); };
+        if (std::any_of(others.begin(), others.end(), overlaps)) {
+            for (const Vector3d& side : shadow) {
+                SmallPolygon outside;
+                cut(piece, side, rounding, &outside);
+                if (!outside.empty()) add_visible(std::move(outside), others, rounding, place, sums);
+                if (piece.empty()) break;
             }
-            sums_.add(place_, hidden, 1);
+            return;
         }
-        sums_.add(place_, piece, -1);
+        sums.add(place, hidden, 1);
     }
+    sums.add(place, piece, -1);
+}
 
-  private:
-    const std::vector<bool>& are_convex_;
-    std::size_t blockers_;
-    double rounding_;
-    ArcSums& sums_;
-    std::size_t place_;
-
-    [[nodiscard]] bool are_apart(const Shadow& a, const Shadow& b) const {
-        return a.of_front == b.of_front && are_convex_[a.blocker * blockers_ + b.blocker];
+/// Corners that are next to each other within rounding become one.
+void join_corners(SmallPolygon& polygon, double rounding) {
+    const double shortest = roundings_of_edge * rounding;
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vector3d& last = kept > 0 ? polygon[kept - 1] : polygon.back();
+        if ((polygon[k] - last).squaredNorm() > shortest * shortest) polygon[kept++] = polygon[k];
     }
-};
+    polygon.resize(kept < 3 ? 0 : kept);
+}
 
 }  // namespace
 
 VisiblePolygon::VisiblePolygon(const Surface& target, const std::vector<Blocker>& blockers, FacedEnd place_at)
-    : target_(outline(target)), target_normal_(target.normal) {
+    : target_(outline(target)),
+      target_normal_(target.normal),
+      blockers_(parts_before_target(blockers)),
+      edges_(blockers_, rounding_) {
+    for (const Blocker& blocker : blockers) {
+        hides_.push_back(blocker.faces == FacedEnd::either ? Hides::always
+                         : blocker.faces == place_at       ? Hides::from_before
+                                                           : Hides::from_behind);
+    }
+    all_.resize(blockers_.size());
+    std::iota(all_.begin(), all_.end(), 0U);
+}
+
+/// Those that lie behind the target's plane hide nothing.
+std::vector<ConvexPolygon> VisiblePolygon::parts_before_target(const std::vector<Blocker>& blockers) {
     FF_EXPECT(!target_.empty());
-    // Parts of blockers that lie behind the target's plane hide nothing.
     const Vector3d origin = target_.front();
     const auto allow_for = [&](const ConvexPolygon& polygon) {
         for (const Vector3d& corner : polygon)
@@ -214,47 +211,17 @@ VisiblePolygon::VisiblePolygon(const Surface& target, const std::vector<Blocker>
     };
     allow_for(target_);
     for (const Blocker& blocker : blockers) allow_for(corners(blocker.surface->shape));
+    std::vector<ConvexPolygon> result;
     for (const Blocker& blocker : blockers) {
         FF_EXPECT(is_polygon(blocker.surface->shape));
-        hides_.push_back(blocker.faces == FacedEnd::either ? Hides::always
-                         : blocker.faces == place_at       ? Hides::from_before
-                                                           : Hides::from_behind);
         SmallPolygon part;
         see_from(origin, outline(*blocker.surface), part);
         cut(part, target_normal_, rounding_);
-        std::vector<Vector3d>& kept = blockers_.emplace_back();
+        join_corners(part, rounding_);
+        std::vector<Vector3d>& kept = result.emplace_back();
         for (const Vector3d& corner : part) kept.emplace_back(origin + corner);
     }
-    find_convex_pairs();
-    all_.resize(blockers_.size());
-    std::iota(all_.begin(), all_.end(), 0U);
-}
-
-void VisiblePolygon::find_convex_pairs() {
-    const std::size_t count = blockers_.size();
-    are_convex_.resize(count * count);
-    double size = 0;
-    const auto reach = [&](const ConvexPolygon& polygon) {
-        for (const Vector3d& corner : polygon) size = std::max(size, (corner - target_.front()).norm());
-    };
-    reach(target_);
-    for (const ConvexPolygon& blocker : blockers_) {
-        reach(blocker);
-        Plane& plane = planes_.emplace_back();
-        if (blocker.empty()) continue;
-        plane.normal = twice_area(blocker).normalized();
-        plane.offset = plane.normal.dot(blocker.front());
-    }
-    const double room = convex_room * size;
-    const auto is_behind = [&](std::size_t blocker, const Plane& plane) {
-        return std::all_of(blockers_[blocker].begin(), blockers_[blocker].end(),
-                           [&](const Vector3d& corner) { return plane.normal.dot(corner) <= plane.offset + room; });
-    };
-    for (std::size_t a = 0; a < count; ++a) {
-        for (std::size_t b = 0; b < a; ++b)
-            are_convex_[a * count + b] = are_convex_[b * count + a] =
-                is_behind(a, planes_[b]) && is_behind(b, planes_[a]);
-    }
+    return result;
 }
 
 VisiblePolygon::Factors VisiblePolygon::from(const Vector3d& place, const Vector3d& normal,
@@ -267,45 +234,56 @@ VisiblePolygon::Factors VisiblePolygon::from(const Vector3d& place, const Vector
 void VisiblePolygon::find(std::span<const Vector3d> places, const Vector3d& normal,
                           std::span<const std::uint32_t> blockers, std::span<Factors> result) const {
     FF_EXPECT(result.size() == places.size());
-    // Two sums for each place: of the whole, and of what differs from it.
+    // Two sums for each place: of the whole, and of what is seen of it.
     ArcSums sums(normal, 2 * places.size());
     enum class Seen : std::uint8_t { nothing, all, all_but, part };
     boost::container::small_vector<Seen, 32> sights(places.size(), Seen::nothing);
-    SmallPolygon whole;
-    SmallPolygon cone;
-    SmallPolygon blocker;
-    SmallPolygon sides;
-    boost::container::small_vector<Shadow, 4> shadows;
+    ShadowEdges::Scratch scratch;
+    std::vector<ShadowEdges::Side> sides(blockers_.size());
+    boost::container::small_vector<std::uint32_t, 32> seen_blockers;
+    Shadows shadows;
     for (std::size_t k = 0; k < places.size(); ++k) {
         const Vector3d& place = places[k];
         if (target_normal_.dot(target_.front() - place) >= 0) continue;
         const double rounding = std::max(rounding_, coordinate_rounding * place.lpNorm<Eigen::Infinity>());
+        SmallPolygon whole;
         see_from(place, target_, whole);
-        cut(whole, normal, rounding);
+        if (cut(whole, normal, rounding)) join_corners(whole, rounding);
         if (whole.empty()) continue;
         // Corners run clockwise as seen from the place that the polygon's normal points to.
         sums.add(2 * k, whole, -1);
-        if (blockers.size() >= least_for_cone) find_sides(whole, rounding, cone);
-        shadows.clear();
+        seen_blockers.clear();
         for (const std::uint32_t index : blockers) {
-            const bool is_before = planes_[index].is_before(place);
-            if (hides_[index] == (is_before ? Hides::from_behind : Hides::from_before)) continue;
+            const ShadowEdges::Side side = edges_.side(index, place);
+            const bool hides = hides_[index] == Hides::always ||
+                               hides_[index] == (side == ShadowEdges::front ? Hides::from_before : Hides::from_behind);
+            sides[index] = hides ? side : ShadowEdges::Side{0};
+            if (sides[index] != 0 && !blockers_[index].empty()) seen_blockers.push_back(index);
+        }
+        if (seen_blockers.size() > most_in_pieces) {
+            using Sees = ShadowEdges::Sees;
+            const Sees sees = edges_.find(place, sides, {whole.data(), whole.size()}, target_normal_, scratch);
+            for (const ShadowEdges::Arc& arc : scratch.outline) sums.add(2 * k + 1, arc.begin, arc.end, -1);
+            sights[k] = sees == Sees::all ? Seen::all : sees == Sees::part ? Seen::part : Seen::nothing;
+            if (sees != Sees::unclear) continue;
+        }
+        shadows.clear();
+        for (const std::uint32_t index : seen_blockers) {
+            SmallPolygon blocker;
             see_from(place, blockers_[index], blocker);
-            if (is_outside(blocker, cone)) continue;
             cut(blocker, normal, rounding);
-            if (blocker.empty()) continue;
-            find_sides(blocker, rounding, sides);
-            if (!sides.empty() && keep_those_that_cut(sides, whole)) shadows.push_back({index, is_before, sides});
+            SmallPolygon& shadow = shadows.emplace_back();
+            find_sides(blocker, rounding, shadow);
+            if (shadow.empty() || !keep_those_that_cut(shadow, whole)) shadows.pop_back();
         }
         if (shadows.empty()) {
             sights[k] = Seen::all;
         } else if (shadows.size() == 1) {
-            if (!hide(whole, shadows.front().sides, rounding)) continue;
+            if (!hide(whole, shadows.front(), rounding)) continue;
             sums.add(2 * k + 1, whole, -1);
             sights[k] = Seen::all_but;
         } else {
-            Adding adding(are_convex_, blockers_.size(), rounding, sums, 2 * k + 1);
-            adding.add(std::move(whole), {shadows.data(), shadows.size()});
+            add_visible(std::move(whole), {shadows.data(), shadows.size()}, rounding, 2 * k + 1, sums);
             sights[k] = Seen::part;
         }
     }

@@ -2,6 +2,7 @@
 
 #include "core/geometry/convex_polygon.hpp"
 #include "core/visibility/facing.hpp"
+#include "core/visibility/shadow_edges.hpp"
 
 #include <Eigen/Core>
 
@@ -11,8 +12,8 @@
 
 namespace ff {
 
-/// The exact part of a plane convex surface that a differential area sees past opaque plane convex ones: their shadows
-/// are cut out of the polygon, piece by piece, and Lambert's formula adds up the rest. No ray is traced, so that an
+/// The exact part of a plane convex surface that a differential area sees past opaque plane convex ones: what their
+/// shadows leave of the polygon is outlined, and Lambert's formula adds up the outline. No ray is traced, so that an
 /// integral over places has only two dimensions, and a continuous integrand.
 class VisiblePolygon {
   public:
@@ -44,24 +45,16 @@ class VisiblePolygon {
   private:
     ConvexPolygon target_;  ///< counter-clockwise as seen from the side that receives
     Eigen::Vector3d target_normal_;
+    // What follows is found from what stands before it.
+    double rounding_ = 0;                  ///< possible rounding error of coordinates
     std::vector<ConvexPolygon> blockers_;  ///< the parts in front of the target
-    struct Plane {
-        Eigen::Vector3d normal;
-        double offset = 0;
-
-        [[nodiscard]] bool is_before(const Eigen::Vector3d& place) const { return normal.dot(place) > offset; }
-    };
-    double rounding_ = 0;        ///< possible rounding error of coordinates
-    std::vector<Plane> planes_;  ///< planes of the blockers
     /// Whether a blocker hides something from places on either side of its plane, before it only, or behind.
     enum class Hides : std::uint8_t { always, from_before, from_behind };
     std::vector<Hides> hides_;
-    /// Whether two blockers lie behind each other, so that no line meets the front, or the back, of both; for each
-    /// pair of them.
-    std::vector<bool> are_convex_;
     std::vector<std::uint32_t> all_;
+    ShadowEdges edges_;
 
-    void find_convex_pairs();
+    std::vector<ConvexPolygon> parts_before_target(const std::vector<Blocker>& blockers);
 };
 
 }  // namespace ff

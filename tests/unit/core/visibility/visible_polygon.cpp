@@ -149,7 +149,7 @@ TEST(VisiblePolygon, AgreesWithVisiblePoints) {
 }
 
 // Up to six triangles of any size near, before, behind and across the target, half of which share an edge with the one
-// before them, from places that lie together: the results agree to within the difference of the two arc tangents.
+// before them, from places that lie together: the results agree to within rounding of where edges cross.
 TEST(VisiblePolygon, AgreesWithThePlainWayFromManyPlacesAtOnce) {
     std::mt19937_64 engine(12);
     std::uniform_real_distribution<double> uniform(0, 1);
@@ -193,7 +193,7 @@ TEST(VisiblePolygon, AgreesWithThePlainWayFromManyPlacesAtOnce) {
                                             std::abs(without_last.from(places[k], normal).visible - found[k].visible));
         }
     }
-    EXPECT_LT(largest, 1e-13);
+    EXPECT_LT(largest, 1e-12);
     EXPECT_GT(seen_in_part, 10'000);
     EXPECT_GT(largest_without_last, 0.1) << "a blocker that is missing shows";
 }
