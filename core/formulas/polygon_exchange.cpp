@@ -14,6 +14,8 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <vector>
 
 namespace ff {
 namespace {
@@ -63,22 +65,48 @@ BoundedValue<Real> parallel_integral(std::array<Real, 2> s, std::array<Real, 2> 
     return sum;
 }
 
-/// Gauss's rule for one panel, and the ellipse of analyticity (half the sum of its axes, for a panel from -1 to 1) that
-/// makes its error a few units of rounding.
+/// Gauss's rule for one panel, from -1 to 1, and the ellipse of analyticity (half the sum of its axes) that makes its
+/// error a few units of rounding.
 template <class Real>
-struct Panel;
-template <>
-struct Panel<double> {
-    using Rule = boost::math::quadrature::gauss<double, 20>;
-    static constexpr int nodes = 20;
-    static constexpr double ellipse = 2.8;
+struct PanelRule {
+    Real ellipse;
+    std::span<const Real> nodes;  ///< those that are not negative
+    std::span<const Real> weights;
+    Real truncation;  ///< error per bound of the integrand in the ellipse
+
+    template <unsigned count>
+    static PanelRule of(Real ellipse) {
+        using Gauss = boost::math::quadrature::gauss<Real, count>;
+        return {ellipse, Gauss::abscissa(), Gauss::weights(),
+                Real{64} / 15 * std::pow(ellipse, Real{-2} * count) / (1 - 1 / (ellipse * ellipse))};
+    }
+
+    template <class Integrand>
+    [[nodiscard]] Real integral(const Integrand& integrand, Real middle, Real half) const {
+        Real sum = 0;
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+            sum += weights[k] * integrand(middle + half * nodes[k]);
+            if (nodes[k] > 0) sum += weights[k] * integrand(middle - half * nodes[k]);
+        }
+        return half * sum;
+    }
 };
+
+/// From the most nodes on.
+template <class Real>
+const std::vector<PanelRule<Real>>& panel_rules();
 template <>
-struct Panel<long double> {
-    using Rule = boost::math::quadrature::gauss<long double, 30>;
-    static constexpr int nodes = 30;
-    static constexpr long double ellipse = 2.3L;
-};
+const std::vector<PanelRule<double>>& panel_rules() {
+    using Panel = PanelRule<double>;
+    static const std::vector rules{Panel::of<20>(2.8), Panel::of<15>(4), Panel::of<10>(8), Panel::of<7>(19),
+                                   Panel::of<5>(64)};
+    return rules;
+}
+template <>
+const std::vector<PanelRule<long double>>& panel_rules() {
+    static const std::vector rules{PanelRule<long double>::of<30>(2.3L)};
+    return rules;
+}
 
 /// Lines that are not parallel: quadrature over the first, closed form over the second.
 template <class Real>
@@ -101,39 +129,48 @@ class SkewIntegral {
     [[nodiscard]] BoundedValue<Real> integral() const { return integral_; }
 
   private:
-    static constexpr Real ellipse = Panel<Real>::ellipse;
+    static constexpr Real widest = 6;
 
     /// The integral over the inner line from a point of the outer one.
     [[nodiscard]] Real inner_integral(Real s) const {
         return integral_from<Real>(outer_.begin + s * outer_.direction, inner_);
     }
 
-    /// Whether the integrand is analytic in the ellipse, a fourth wider, around a panel.
-    [[nodiscard]] bool is_analytic(Real middle, Real half) const {
-        return std::all_of(singularities_.begin(), singularities_.end(), [&](const std::complex<Real>& place) {
+    /// The ellipse of analyticity around a panel, a fourth smaller than the one that goes through a singularity.
+    [[nodiscard]] Real ellipse_around(Real middle, Real half) const {
+        Real least = std::numeric_limits<Real>::infinity();
+        for (const std::complex<Real>& place : singularities_) {
             const std::complex<Real> z = (place - middle) / half;
-            return std::abs(z + std::sqrt(z - Real{1}) * std::sqrt(z + Real{1})) >= ellipse * Real{1.25};
-        });
+            const Real imaginary = z.imag() * z.imag();
+            const Real to_foci = std::sqrt((z.real() - 1) * (z.real() - 1) + imaginary) +
+                                 std::sqrt((z.real() + 1) * (z.real() + 1) + imaginary);
+            const Real axis = std::max(Real{1}, to_foci / 2);
+            least = std::min(least, axis + std::sqrt(axis * axis - 1));
+        }
+        return least / Real{1.25};
     }
 
     void add_panels(Real low, Real high) {
         const Real middle = (low + high) / 2;
         const Real half = (high - low) / 2;
-        // Coordinates are at most 2, so that in an ellipse |x| and |h| stay below 16, and it keeps 0.2 of the panel's
-        // half length away from singularities: logarithms are no larger than this.
+        // Coordinates are at most 2, and ellipses no longer than `widest`, so that |x| and |h| stay below 16 there, and
+        // an ellipse keeps 0.2 of the panel's half length away from singularities: logarithms are no larger than this.
         const Real log_bound = std::log(Real{16} / (Real{0.2} * half));
         const bool is_negligible = half * half * log_bound < epsilon<Real> * outer_.length;
-        if (!is_negligible && !is_analytic(middle, half)) {
+        const Real ellipse = ellipse_around(middle, half);
+        const auto& rules = panel_rules<Real>();
+        if (!is_negligible && ellipse < rules.front().ellipse) {
             add_panels(low, middle);
             add_panels(middle, high);
             return;
         }
-        const Real value = Panel<Real>::Rule::integrate([&](Real s) { return inner_integral(s); }, low, high);
+        const PanelRule<Real>* rule = &rules.front();
+        for (const PanelRule<Real>& other : rules) {
+            if (other.ellipse <= ellipse && half * other.ellipse <= widest) rule = &other;
+        }
+        const Real value = rule->integral([&](Real s) { return inner_integral(s); }, middle, half);
         const Real bound = 2 * 16 * (log_bound + 2 * std::numbers::pi_v<Real>);
-        const Real truncation = is_negligible
-                                    ? 2 * half * log_bound
-                                    : Real{64} / 15 * bound * std::pow(ellipse, Real{-2} * Panel<Real>::nodes) /
-                                          (1 - 1 / (ellipse * ellipse));
+        const Real truncation = is_negligible ? 2 * half * log_bound : bound * rule->truncation;
         integral_.value += value;
         integral_.error += half * (truncation + 16 * epsilon<Real>)+4 * epsilon<Real> * std::abs(value);
     }

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace ff::studies::form_factors {
 namespace {
@@ -57,15 +59,15 @@ bool is_passed_by(const BlockedPair& pair, const Vector3d& a, const Vector3d& b)
         if (length < room) return false;
         bool left = true;
         bool right = true;
-        bool opposite = false;
         for (const Eigen::Vector2d& other : seen) {
             const double side = (through.x() * other.y() - through.y() * other.x()) / length;
             left = left && side >= -room;
             right = right && side <= room;
             // A plane that holds places on both sides of the line parts nothing.
-            opposite = opposite || (std::abs(side) <= room && through.dot(other) < -room * length);
+            const bool is_opposite = std::abs(side) <= room && through.dot(other) < -room * length;
+            if (is_opposite || (!left && !right)) return false;
         }
-        return (left || right) && !opposite;
+        return true;
     });
 }
 
@@ -104,17 +106,22 @@ std::vector<RimEdge> rim_of(const BlockedPair& pair) {
             if ((b - a).norm() > same_length * pair.size) edges.push_back({{a, b, k}, side});
         }
     }
+    // Edges that are the same have the same place in any direction: only those next to each other there are compared.
     const double room = same_length * pair.size;
     const auto is_same = [room](const Vector3d& a, const Vector3d& b) { return (a - b).squaredNorm() <= room * room; };
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-            const RimEdge& one = edges[i].edge;
-            const RimEdge& other = edges[j].edge;
-            const bool against = is_same(one.a, other.b) && is_same(one.b, other.a);
-            const bool along = is_same(one.a, other.a) && is_same(one.b, other.b);
+    const Vector3d askew(1, 0.7548776662466927, 0.5698402909980532);  // few edges are abreast in this direction
+    std::vector<std::pair<double, Edge*>> by_place;
+    by_place.reserve(edges.size());
+    for (Edge& each : edges) by_place.emplace_back(askew.dot(each.edge.a + each.edge.b), &each);
+    std::sort(by_place.begin(), by_place.end());
+    for (std::size_t i = 0; i < by_place.size(); ++i) {
+        Edge& one = *by_place[i].second;
+        for (std::size_t j = i; j-- > 0 && by_place[i].first - by_place[j].first <= 4 * room;) {
+            Edge& other = *by_place[j].second;
+            const bool against = is_same(one.edge.a, other.edge.b) && is_same(one.edge.b, other.edge.a);
+            const bool along = is_same(one.edge.a, other.edge.a) && is_same(one.edge.b, other.edge.b);
             const int turned = against ? 1 : along ? -1 : 0;
-            if (turned != 0 && edges[i].side != 0 && edges[i].side == turned * edges[j].side)
-                edges[i].inner = edges[j].inner = true;
+            if (turned != 0 && one.side != 0 && one.side == turned * other.side) one.inner = other.inner = true;
         }
     }
     std::vector<RimEdge> rim;
