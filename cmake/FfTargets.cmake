@@ -26,6 +26,12 @@ set(FF_CODE_GENERATION -ffp-contract=off)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   # Highway's dispatch starts here and chooses AVX2 or AVX-512 at run time.
   list(APPEND FF_CODE_GENERATION -march=x86-64-v2)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
+  # All have NEON, so that nothing is chosen at run time. Vectors of the scalable extension cannot be members of a struct.
+  target_compile_definitions(ff_settings INTERFACE
+    HWY_COMPILE_ONLY_STATIC "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
+  # g++ notes every call that passes a pair of numbers, since version 10 does so in another way.
+  target_compile_options(ff_settings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>)
 endif()
 target_compile_options(ff_settings INTERFACE ${FF_CODE_GENERATION})
 if(FFSTUDY_SANITIZE)
