@@ -49,7 +49,7 @@ if(BUILD_SHARED_LIBS)
   set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libffstudy${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libs)
   set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "What the program and programs of users load.")
-  # Require the packages of this very build: versions before 1.0 do not promise compatibility with each other.
+  # Require the packages of this very build: no version promises that its libraries work with the program of another.
   set(same "${CPACK_DEBIAN_RUNTIME_PACKAGE_NAME} (= ${PROJECT_VERSION}-1)")
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${same}")
   string(APPEND CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS ", ${same}")
