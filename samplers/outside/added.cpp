@@ -49,6 +49,11 @@ AddedSampler::AddedSampler(Texts texts, SamplerInfo traits, std::vector<std::uin
     entry_.info.at_hand = at_hand_;
 }
 
+bool AddedSampler::makes_points() const {
+    const std::lock_guard lock(mutex_);
+    return static_cast<bool>(make_);
+}
+
 std::unique_ptr<PointSource> AddedSampler::make(const PointSetSpec& spec) const {
     Make make;
     {
@@ -57,8 +62,8 @@ std::unique_ptr<PointSource> AddedSampler::make(const PointSetSpec& spec) const 
     }
     if (!make)
         throw UserError(
-            "sampler \"{}\" (only its results are here, not what makes its points). Load its plug-in, or "
-            "name its program, as when the study was run.",
+            "sampler \"{}\" (only its results are here, not what makes its points). Run the study's file, or load its "
+            "plug-in, as when the study was run first.",
             texts_.name);
     return make(spec);
 }

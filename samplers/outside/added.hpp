@@ -36,6 +36,8 @@ class AddedSampler {
 
     [[nodiscard]] const CatalogueEntry& entry() const { return entry_; }
     [[nodiscard]] const Content& content() const { return content_; }
+    /// Whether more than the description is known.
+    [[nodiscard]] bool makes_points() const;
     /// @throws UserError where only the description is known
     [[nodiscard]] std::unique_ptr<PointSource> make(const PointSetSpec& spec) const;
 

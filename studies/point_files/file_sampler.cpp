@@ -22,6 +22,8 @@ using samplers::Randomisation;
 
 constexpr std::string_view file_prefix = "file:";
 constexpr std::string_view ladder = "{n}";
+/// Files of more bytes, all of a ladder together, are not copied into the store.
+constexpr std::size_t most_kept = std::size_t{16} << 20;
 
 struct Name {
     std::string path;
@@ -113,7 +115,8 @@ const samplers::CatalogueEntry& add_file(const Name& name, AddedSampler::Content
     const auto how = samplers::find_randomisation(name.randomise).value_or(Randomisation::none);
     const std::string full = fmt::format("{}{}#{}#{}", file_prefix, name.path,
                                          samplers::randomisation_names.at(static_cast<std::size_t>(how)), hash);
-    if (const AddedSampler* known = samplers::find_added(full)) return known->entry();
+    if (const AddedSampler* known = samplers::find_added(full); known != nullptr && known->makes_points())
+        return known->entry();
     std::map<std::uint64_t, std::shared_ptr<const PointSet>> sets;
     std::vector<std::uint64_t> sizes;
     for (const auto& [file, bytes] : content) {
@@ -136,6 +139,9 @@ const samplers::CatalogueEntry& add_file(const Name& name, AddedSampler::Content
     std::string details =
         fmt::format("{} coordinates a point{}. {}", traits.most_dimension,
                     traits.most_trials > 0 ? fmt::format(", {} sets", traits.most_trials) : "", what_it_keeps(how));
+    std::size_t bytes_in_all = 0;
+    for (const auto& [file, bytes] : content) bytes_in_all += bytes.size();
+    if (bytes_in_all > most_kept) content.clear();
     auto make = [sets, how](const samplers::PointSetSpec& spec) {
         return samplers::points_of_set(sets.lower_bound(spec.points)->second, spec.points, how);
     };

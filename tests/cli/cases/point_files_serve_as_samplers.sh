@@ -116,3 +116,30 @@ sed -i 's/file:one.txt/sobol/; s/shake/shift/' how.toml
 ffstudy run how.toml
 expect_status 2
 expect_stderr "only points of a file have it"
+
+# A large file is not copied into the store: reports do not need it, more trials do.
+/usr/bin/python3 - <<'END'
+import random, struct
+n = 1 << 20
+draw = random.Random(1).random
+with open("large.raw", "wb") as file:
+    file.write(b"FFPOINTS" + struct.pack("<QQ", n, 4))
+    for _ in range(64):
+        file.write(struct.pack(f"<{n // 16}d", *(draw() for _ in range(n // 16))))
+END
+study large large.raw 10 64 'randomise = "shift"'
+ffstudy run large.toml --out large
+expect_status 0
+[ "$(stat --format %s large/results.sqlite)" -lt 1000000 ] || fail "the store holds the points"
+cp large/summary.csv before.csv
+mv large.raw elsewhere.raw
+ffstudy report large
+expect_status 0
+expect_equal_files large/summary.csv before.csv
+ffstudy run large --trials 20
+expect_status 2
+expect_stderr "only its results are here, not what makes its points). Run the study's file"
+mv elsewhere.raw large.raw
+ffstudy run large.toml --trials 20 --out large
+expect_status 0
+expect_stderr "10 of 20 trials are there already"
