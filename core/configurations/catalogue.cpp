@@ -172,13 +172,12 @@ std::optional<double> known_form_factor(const Scene& scene, int from_face, int t
     }
     for (const Configuration& configuration : catalogue) {
         if (!is_configuration(scene, configuration)) continue;
-        const auto [from, to] = std::array{configuration.from, configuration.to};
+        const int from = configuration.from;
+        const int to = configuration.to;
         if (from_face == from && to_face == to) return static_cast<double>(configuration.exact());
         const int others = other_faces(scene, configuration);
         const long double factor = others == 0 ? configuration.exact() : (1 - configuration.exact()) / others;
-        const auto is_pair = [&, from = from, to = to](int a, int b) {
-            return a == from && (others == 0 ? b == to : b != from);
-        };
+        const auto is_pair = [&](int a, int b) { return a == from && (others == 0 ? b == to : b != from); };
         if (is_pair(from_face, to_face)) return static_cast<double>(factor);
         if (is_pair(to_face, from_face))
             return static_cast<double>(factor * face_area(scene, from) / face_area(scene, from_face));

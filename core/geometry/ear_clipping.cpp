@@ -98,10 +98,10 @@ class Ring {
         return std::abs(turn(places_[a], places_[b], places_[c])) <= flat_;
     }
     [[nodiscard]] bool is_ear(std::size_t k) const {
-        const auto [a, b, c] = around(k);
-        if (!(turn(places_[a], places_[b], places_[c]) > flat_)) return false;
-        return std::none_of(left_.begin(), left_.end(), [&, a = a, b = b, c = c](std::size_t other) {
-            return other != a && other != b && other != c && is_in_the_way(other, {a, b, c});
+        const auto ear = around(k);
+        if (!(turn(places_[ear[0]], places_[ear[1]], places_[ear[2]]) > flat_)) return false;
+        return std::none_of(left_.begin(), left_.end(), [&](std::size_t other) {
+            return std::find(ear.begin(), ear.end(), other) == ear.end() && is_in_the_way(other, ear);
         });
     }
     void remove(std::size_t k) { left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(k)); }

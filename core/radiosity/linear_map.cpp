@@ -30,8 +30,8 @@ class MapMatrix : public Eigen::EigenBase<MapMatrix> {
     [[nodiscard]] Eigen::Index cols() const { return size_; }
     [[nodiscard]] Eigen::VectorXd times(const Eigen::VectorXd& x) const { return map_(x); }
 
-    template <class Vector>
-    Eigen::Product<MapMatrix, Vector, Eigen::AliasFreeProduct> operator*(const Eigen::MatrixBase<Vector>& x) const {
+    template <class Operand>
+    Eigen::Product<MapMatrix, Operand, Eigen::AliasFreeProduct> operator*(const Eigen::MatrixBase<Operand>& x) const {
         return {*this, x.derived()};
     }
 
@@ -43,12 +43,12 @@ class MapMatrix : public Eigen::EigenBase<MapMatrix> {
 }  // namespace
 }  // namespace ff
 
-template <class Vector>
-struct Eigen::internal::generic_product_impl<ff::MapMatrix, Vector, Eigen::SparseShape, Eigen::DenseShape,
+template <class Operand>
+struct Eigen::internal::generic_product_impl<ff::MapMatrix, Operand, Eigen::SparseShape, Eigen::DenseShape,
                                              Eigen::GemvProduct>
-    : generic_product_impl_base<ff::MapMatrix, Vector, generic_product_impl<ff::MapMatrix, Vector>> {
+    : generic_product_impl_base<ff::MapMatrix, Operand, generic_product_impl<ff::MapMatrix, Operand>> {
     template <class Result>
-    static void scaleAndAddTo(Result& result, const ff::MapMatrix& matrix, const Vector& x, double scale) {
+    static void scaleAndAddTo(Result& result, const ff::MapMatrix& matrix, const Operand& x, double scale) {
         result += scale * matrix.times(x);
     }
 };

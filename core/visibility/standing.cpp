@@ -20,7 +20,7 @@ std::vector<std::uint32_t> grounds_in_doubt(const Scene& scene) {
 }
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> round_bodies_on_surfaces(const Scene& scene) {
-    constexpr double least_share = 1e-3;
+    constexpr double least_covered = 1e-3;
     const double gap = level_gap(scene);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
     for (std::uint32_t i = 0; i < scene.surfaces.size(); ++i) {
@@ -35,7 +35,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> round_bodies_on_surfaces(co
                 const Extent height = extent(ground, end.inwards);
                 const double base = end.centre.dot(end.inwards);
                 if (std::abs(height.low - base) > gap || std::abs(height.high - base) > gap) continue;
-                if (common_area(ground, cap) > least_share * area) found.emplace_back(i, j);
+                if (common_area(ground, cap) > least_covered * area) found.emplace_back(i, j);
             }
         }
     }

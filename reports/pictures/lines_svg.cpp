@@ -30,12 +30,12 @@ constexpr std::array line_charts{
     LineChart{"light_errors", "absorbed", true, true, "reflectance of all faces", "rmse",
               "relative RMSE of the exitance"}};
 
-constexpr double width = 640;
-constexpr double left = 60;
-constexpr double right = width - 130;  // labels stand beyond it
-constexpr double top = 10;
-constexpr double bottom = 330;          // as high as in the page, so that labels stand apart
-constexpr double height = bottom + 40;  // with the title of the axis
+constexpr double canvas_width = 640;
+constexpr double frame_left = 60;
+constexpr double frame_right = canvas_width - 130;  // labels stand beyond it
+constexpr double frame_top = 10;
+constexpr double frame_bottom = 330;                 // as high as in the page, so that labels stand apart
+constexpr double canvas_height = frame_bottom + 40;  // with the title of the axis
 
 const LineChart* chart_of(const Picture& picture) {
     const auto chart = std::ranges::find(line_charts, picture.kind, &LineChart::kind);
@@ -52,19 +52,19 @@ std::string tick_text(double tick) {
 std::string grid(const LineChart& chart, const SvgAxis& x, const SvgAxis& y) {
     std::string out;
     for (const double tick : x.ticks()) {
-        out += svg_line(x.at(tick), x.at(tick), top, bottom, "stroke=\"#d0d0d0\"");
-        out += svg_text(x.at(tick), bottom + 16, " text-anchor=\"middle\"",
+        out += svg_line(x.at(tick), x.at(tick), frame_top, frame_bottom, "stroke=\"#d0d0d0\"");
+        out += svg_text(x.at(tick), frame_bottom + 16, " text-anchor=\"middle\"",
                         chart.reversed ? fmt::format("{:.6g}", 1 - tick) : tick_text(tick));
     }
     for (const double tick : y.ticks()) {
-        out += svg_line(left, right, y.at(tick), y.at(tick), "stroke=\"#d0d0d0\"");
-        out += svg_text(left - 6, y.at(tick) + 4, " text-anchor=\"end\"", tick_text(tick));
+        out += svg_line(frame_left, frame_right, y.at(tick), y.at(tick), "stroke=\"#d0d0d0\"");
+        out += svg_text(frame_left - 6, y.at(tick) + 4, " text-anchor=\"end\"", tick_text(tick));
     }
-    out += svg_text((left + right) / 2, bottom + 33, " text-anchor=\"middle\"", chart.x_title);
-    return out +
-           svg_text(14, (top + bottom) / 2,
-                    fmt::format(" text-anchor=\"middle\" transform=\"rotate(-90 14 {:.1f})\"", (top + bottom) / 2),
-                    chart.y_title);
+    out += svg_text((frame_left + frame_right) / 2, frame_bottom + 33, " text-anchor=\"middle\"", chart.x_title);
+    return out + svg_text(14, (frame_top + frame_bottom) / 2,
+                          fmt::format(" text-anchor=\"middle\" transform=\"rotate(-90 14 {:.1f})\"",
+                                      (frame_top + frame_bottom) / 2),
+                          chart.y_title);
 }
 
 /// Whether a logarithmic axis has a place for the row's error: it may be zero, or infinite, which is null.
@@ -112,10 +112,12 @@ std::string lines_svg(const Picture& picture) {
         high = std::max(high, row.number(chart.x));
     }
     if (rows.empty())
-        return svg_drawing(width, height, picture.description, svg_text(left, bottom / 2, "", "no error is finite"));
-    const SvgAxis x(chart.log, low, high, chart.reversed ? right : left, chart.reversed ? left : right);
+        return svg_drawing(canvas_width, canvas_height, picture.description,
+                           svg_text(frame_left, frame_bottom / 2, "", "no error is finite"));
+    const SvgAxis x(chart.log, low, high, chart.reversed ? frame_right : frame_left,
+                    chart.reversed ? frame_left : frame_right);
     const Json& range = values["scales"]["y"]["domain"];
-    const SvgAxis y(true, range[0].get<double>(), range[1].get<double>(), bottom, top);
+    const SvgAxis y(true, range[0].get<double>(), range[1].get<double>(), frame_bottom, frame_top);
     std::string content = grid(chart, x, y);
     std::string marks;
     // Points of a method follow each other, by ascending size; what theory expects is a line of its own.
@@ -146,10 +148,10 @@ std::string lines_svg(const Picture& picture) {
                                path.points, colours[path.method], path.dashed ? " stroke-dasharray=\"4 3\"" : "");
     content += marks;
     for (const Json& label : values["labels"])
-        content += svg_text(right + 8, y.at(label["height"].get<double>()) + 4,
+        content += svg_text(frame_right + 8, y.at(label["height"].get<double>()) + 4,
                             fmt::format(" fill=\"{}\"", colours[label["method"].get<std::string>()]),
                             label["text"].get<std::string>());
-    return svg_drawing(width, height, picture.description, content);
+    return svg_drawing(canvas_width, canvas_height, picture.description, content);
 }
 
 }  // namespace ff::reports

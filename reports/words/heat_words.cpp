@@ -43,16 +43,16 @@ std::string heat_answer(const HeatReport& report) {
     std::erase_if(groups, [](const auto& group) { return group.power.low <= 0 && group.power.high >= 0; });
     std::ranges::stable_sort(groups, std::ranges::greater(),
                              [](const auto& group) { return std::abs(group.power.middle()); });
-    constexpr std::size_t most_named = 4;
+    constexpr std::size_t most_groups = 4;
     std::vector<std::string> clauses;
     for (const auto& [name, faces, area, power, share] : groups) {
-        if (clauses.size() == most_named) break;
+        if (clauses.size() == most_groups) break;
         clauses.push_back(
             power.low > 0
                 ? fmt::format("{} gives off {}{}", name, with_error(power), unit_of_power(report))
                 : fmt::format("{} takes up {}{}", name, with_error({-power.high, -power.low}), unit_of_power(report)));
     }
-    return fmt::format("{}{}", fmt::join(clauses, "; "), groups.size() > most_named ? "; others less" : "");
+    return fmt::format("{}{}", fmt::join(clauses, "; "), groups.size() > most_groups ? "; others less" : "");
 }
 
 std::string heat_balance(const HeatReport& report, const SolvedCase& solved) {

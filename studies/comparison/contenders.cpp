@@ -40,8 +40,8 @@ bool set_cost(const StudyPlan& plan, const Costs& costs, Equal equal, Rung& rung
 double possible_bias(const Analysis& findings, const CellAnalysis& found) {
     const Method& method = findings.plan.spec.methods[findings.plan.cells[found.cell].method];
     const auto* const sampler = samplers::find_added(method.sampler);
-    const bool is_users = find_added_estimator(method.estimator) != nullptr ||
-                          (sampler != nullptr && !names_point_file(method.sampler));
+    const bool is_users =
+        find_added_estimator(method.estimator) != nullptr || (sampler != nullptr && !names_point_file(method.sampler));
     if (!is_users) return 0;
     return found.bias && found.bias->shown_below > 0 ? found.bias->shown_below
                                                      : std::numeric_limits<double>::infinity();

@@ -45,12 +45,12 @@ Real element_aside_to_disc(Real radius, Real distance, Real aside) {
 // By the kernel over the heights of both and the angle between them; only the difference of two points' heights counts.
 TEST(CoaxialCylinders, MatchTheIntegralOverTheHiddenPart) {
     for (const auto& [inner, outer, height] : {std::array<Real, 3>{1, 2, 2}, {1, 1.5, 4}, {2, 3, 1}}) {
-        const auto over_heights = [&, height = height](const auto& of_angle, Real low, Real high) {
+        const auto over_heights = [&, whole = height](const auto& of_angle, Real low, Real high) {
             return integral(
                 [&](Real t) {
-                    return 4 * (1 - t / height) * integral([&](Real angle) { return of_angle(angle, t); }, low, high);
+                    return 4 * (1 - t / whole) * integral([&](Real angle) { return of_angle(angle, t); }, low, high);
                 },
-                0, height);
+                0, whole);
         };
         const Real r1 = inner;
         const Real r2 = outer;
@@ -115,13 +115,13 @@ TEST(ElementToDisc, MatchesTheIntegralOverTheDisc) {
 
 TEST(ElementToRectangle, MatchesTheIntegralOverTheRectangle) {
     for (const auto& [a, b, c] : {std::array<Real, 3>{1, 1, 1}, {2, 0.5, 1}, {1, 3, 2}}) {
-        const auto over_y = [&, b = b, c = c](Real x) {
+        const auto over_y = [&, width = b, distance = c](Real x) {
             return integral(
                 [&](Real y) {
-                    const Real squared_distance = x * x + y * y + c * c;
-                    return c * c / (pi * squared_distance * squared_distance);
+                    const Real squared_distance = x * x + y * y + distance * distance;
+                    return distance * distance / (pi * squared_distance * squared_distance);
                 },
-                0, b);
+                0, width);
         };
         EXPECT_PRED3(test::near, element_to_rectangle_factor(a, b, c), integral(over_y, 0, a), extended_rounding);
     }
@@ -169,10 +169,10 @@ TEST(ConeWall, MatchesTheIntegralOverItsRings) {
     // By reciprocity with the discs of radius r s, ring to base is the derivative of what they exchange with the base.
     for (const auto& [r, h] : {std::array<Real, 2>{1, 1}, {1, 3}, {2, 0.5}}) {
         // A disc at s sees the base with A_s F; all that passes it comes from, or goes to, the wall above it.
-        const auto wall_to_base = [&, r = r, h = h](Real s) {
+        const auto wall_to_base = [&, radius = r, height = h](Real s) {
             const Real step = 1e-5L;  // central difference of the exchange area, error about step^2
             const auto exchange = [&](Real share) {
-                return share * share * coaxial_discs_factor(share * r, r, (1 - share) * h);
+                return share * share * coaxial_discs_factor(share * radius, radius, (1 - share) * height);
             };
             return (exchange(s + step) - exchange(s - step)) / (2 * step);
         };

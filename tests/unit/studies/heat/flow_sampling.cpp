@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace ff::studies::heat {
 namespace {
@@ -83,11 +84,10 @@ TEST(FlowPlan, SpendsLeastOnPairsOfSimilarTemperature) {
     ASSERT_TRUE(plan);
     EXPECT_FALSE(plan->even);
     const auto tolerance = [&](const std::string& a, const std::string& b) {
-        const auto [from, to] = std::minmax({face_of(scene, a), face_of(scene, b)});
-        const auto found = std::find_if(matrix.exchanges.begin(), matrix.exchanges.end(),
-                                        [&, from = from, to = to](const form_factors::FaceExchange& pair) {
-                                            return pair.from == from && pair.to == to;
-                                        });
+        const auto pair_of = std::minmax({face_of(scene, a), face_of(scene, b)});
+        const auto found = std::find_if(
+            matrix.exchanges.begin(), matrix.exchanges.end(),
+            [&](const form_factors::FaceExchange& pair) { return std::pair(pair.from, pair.to) == pair_of; });
         return plan->tolerances[static_cast<std::size_t>(found - matrix.exchanges.begin())];
     };
     // Both are adiabatic, at about one temperature, and send their radiation to the roof.
