@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 
 namespace ff::studies::heat {
 namespace {
@@ -85,9 +84,10 @@ TEST(FlowPlan, SpendsLeastOnPairsOfSimilarTemperature) {
     EXPECT_FALSE(plan->even);
     const auto tolerance = [&](const std::string& a, const std::string& b) {
         const auto pair_of = std::minmax({face_of(scene, a), face_of(scene, b)});
-        const auto found = std::find_if(
-            matrix.exchanges.begin(), matrix.exchanges.end(),
-            [&](const form_factors::FaceExchange& pair) { return std::pair(pair.from, pair.to) == pair_of; });
+        const auto found =
+            std::find_if(matrix.exchanges.begin(), matrix.exchanges.end(), [&](const form_factors::FaceExchange& pair) {
+                return pair.from == pair_of.first && pair.to == pair_of.second;
+            });
         return plan->tolerances[static_cast<std::size_t>(found - matrix.exchanges.begin())];
     };
     // Both are adiabatic, at about one temperature, and send their radiation to the roof.
