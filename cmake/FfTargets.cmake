@@ -28,8 +28,10 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   list(APPEND FF_CODE_GENERATION -march=x86-64-v2)
 elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
   # All have NEON, so that nothing is chosen at run time. Vectors of the scalable extension cannot be members of a struct.
+  # Boost.Math would compute quantiles in long double, which has 128 bits there and is emulated.
   target_compile_definitions(ff_settings INTERFACE
-    HWY_COMPILE_ONLY_STATIC "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
+    HWY_COMPILE_ONLY_STATIC "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)"
+    BOOST_MATH_PROMOTE_DOUBLE_POLICY=false)
   # g++ notes every call that passes a pair of numbers, since version 10 does so in another way.
   target_compile_options(ff_settings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>)
 endif()
