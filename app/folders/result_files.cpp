@@ -28,13 +28,20 @@
 namespace ff::app {
 namespace {
 
+/// Writes the picture, or removes that of an earlier run where there is none.
+void write_picture(OutputFolder& folder, const std::string& file, const std::optional<std::string>& svg) {
+    if (svg)
+        folder.write(file, *svg);
+    else
+        folder.remove(file);
+}
+
 void write_markdown(OutputFolder& folder, const ResultSources& sources) {
     const studies::StudyResults& results = sources.results;
     folder.write("report.md", reports::markdown_report(results));
-    if (const auto lead = reports::answer_picture(results))
-        folder.write("answer.svg", reports::answer_svg(*lead));
-    else
-        folder.remove("answer.svg");  // an earlier run may have had one
+    const auto lead = reports::answer_picture(results);
+    write_picture(folder, "answer.svg", lead ? std::optional(reports::answer_svg(*lead)) : std::nullopt);
+    write_picture(folder, "decisions_by_time.svg", reports::decisions_svg(results));
     if (!results.published) return;
     folder.write("audit.md", reports::audit_markdown(results.published->tables, results.published->audit));
 }
@@ -183,9 +190,19 @@ studies::Store open_results(const std::filesystem::path& results) {
 }
 
 std::vector<std::string> usual_files() {
-    std::vector<std::string> files{"report.html",       "report.md",    "answer.svg",      "audit.md",
-                                   "summary.csv",       "slopes.csv",   "coverage.csv",    "trials.csv",
-                                   "results.json",      "context.json", "comparisons.csv", "comparisons_by_time.csv",
+    std::vector<std::string> files{"report.html",
+                                   "report.md",
+                                   "answer.svg",
+                                   "decisions_by_time.svg",
+                                   "audit.md",
+                                   "summary.csv",
+                                   "slopes.csv",
+                                   "coverage.csv",
+                                   "trials.csv",
+                                   "results.json",
+                                   "comparisons.csv",
+                                   "context.json",
+                                   "comparisons_by_time.csv",
                                    "claimed_errors.csv"};
     for (const RadiosityTable& table : tables_of_radiosity) files.emplace_back(table.file);
     return files;

@@ -24,4 +24,8 @@ bool has_lines_svg(const Picture& picture);
 /// A line for each method, with labels at the ends. @pre has_lines_svg
 std::string lines_svg(const Picture& picture);
 
+/// Which method to take for each kind of pairs (rows) in how much processor time (columns), which differs from run to
+/// run; empty where the study does not ask: it has one scene, or is about occlusion.
+std::optional<std::string> decisions_svg(const studies::StudyResults& results);
+
 }  // namespace ff::reports

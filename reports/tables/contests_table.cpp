@@ -252,14 +252,13 @@ Table timed_decisions_table(const studies::StudyResults& results) {
     for (std::size_t i = 0; i < times.size(); ++i) {
         table.columns.push_back({fmt::format("{:g} s", times[i].seconds), false, "in"});
         for (const studies::Decision& decision : times[i].decisions) {
-            const studies::Choice& first = decision.choices.front();
             std::vector<std::string> names;
-            for (const studies::Choice& choice : decision.choices) {
-                if (choice.best == first.best) names.push_back(plan.spec.methods[choice.method].name);
-            }
+            for (const std::size_t method : studies::most_often_best(decision))
+                names.push_back(plan.spec.methods[method].name);
             std::vector<std::string>& row = rows[decision.kind];
             row.resize(times.size(), "–");
-            if (first.best > 0) row[i] = fmt::format("{} ({} of {})", listed(names, 2), first.best, decision.cases);
+            if (!names.empty())
+                row[i] = fmt::format("{} ({} of {})", listed(names, 2), decision.choices.front().best, decision.cases);
         }
     }
     for (auto& [kind, cells] : rows) {

@@ -124,15 +124,26 @@ struct Claim {
     }
 };
 
+/// The share of what the trials leave uncertain in the whole standard error, in which the clock has its part.
+double share_of_trials(const stats::Measured& logarithm) {
+    return stats::Measured{0, {logarithm.parts.front()}}.standard_error() / logarithm.standard_error();
+}
+
+/// Correlation of both logarithms: of the trials where these have the same random numbers. Clocks are taken to err
+/// independently of each other, and values between sizes too.
+double correlation(const Contest& contest, const Placed& a, const Placed& b, const Field& field) {
+    if (contest.equal == Equal::error || a.logarithm.is_exact() || b.logarithm.is_exact()) return 0;
+    return field.shared_noise(a.entrant.cell, b.entrant.cell, contest.pair_class) * share_of_trials(a.logarithm) *
+           share_of_trials(b.logarithm);
+}
+
 Handicap compare(const Contest& contest, const std::vector<Placed>& placed, std::size_t a, std::size_t b,
                  const Claim& claim, const Field& field) {
     const Placed& better = placed[a];
     const Placed& worse = placed[b];
     Handicap handicap{a, b, worse.entrant.value / better.entrant.value, std::nullopt};
-    const double shared = contest.equal == Equal::evaluations
-                              ? field.shared_noise(better.entrant.cell, worse.entrant.cell, contest.pair_class)
-                              : 0;
-    const auto interval = ratio_interval(better.logarithm, worse.logarithm, claim.level_of_each(), shared);
+    const auto interval = ratio_interval(better.logarithm, worse.logarithm, claim.level_of_each(),
+                                         correlation(contest, better, worse, field));
     handicap.apart = interval ? interval->low > 1 : handicap.ratio > 1 + 1e-9;
     // Much of the uncertainty of a clock does not become less with more trials.
     if (interval && !handicap.apart && contest.equal != Equal::processor_time)

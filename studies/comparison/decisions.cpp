@@ -89,6 +89,14 @@ PairKind pair_kind(const Scene& scene, PairClass pair_class) {
     return adjacent ? PairKind::adjacent : pair_class == PairClass::parallel ? PairKind::parallel : PairKind::other;
 }
 
+std::vector<std::size_t> most_often_best(const Decision& decision) {
+    std::vector<std::size_t> methods;
+    for (const Choice& choice : decision.choices) {
+        if (choice.best > 0 && choice.best == decision.choices.front().best) methods.push_back(choice.method);
+    }
+    return methods;
+}
+
 std::vector<Decision> decide(const StudyPlan& plan, std::span<const Contest> contests, Equal equal) {
     if (plan.scenes.size() < 2) return {};
     return decide_by(plan, main_contests(contests, equal));

@@ -41,6 +41,9 @@ struct Decision {
     std::vector<Choice> choices;  ///< most often best first; ties by fewer cases, then by the smaller handicap
 };
 
+/// The methods that are best in as many cases as the first; empty where none is best in any.
+std::vector<std::size_t> most_often_best(const Decision& decision);
+
 /// Empty where a study has one scene.
 std::vector<Decision> decide(const StudyPlan& plan, std::span<const Contest> contests, Equal equal);
 

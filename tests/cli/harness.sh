@@ -162,14 +162,14 @@ blocks() {
         '/^```/ {open = !open; shown = open && $0 == fence && (++count == number || !number); next} shown' "$2"
 }
 
-# expect_same_results FOLDER FOLDER: every output but context.json and comparisons_by_time.csv is equal to the byte, and so
-# is every row of the stores.
+# expect_same_results FOLDER FOLDER: every output but context.json and what rests on seconds is equal to the byte, and so is
+# every row of the stores.
 expect_same_results() {
     local a=$1 b=$2 file
     [ "$(ls "$a")" = "$(ls "$b")" ] || fail "expected the same files in $a and $b"
     for file in $(ls "$a"); do
         case $file in
-            context.json | comparisons_by_time.csv) ;;
+            context.json | *_by_time.*) ;;
             results.sqlite)
                 rows "$a/$file" >"$folder/a"
                 rows "$b/$file" >"$folder/b"

@@ -1,8 +1,11 @@
 #include "reports/pictures/answer_svg.hpp"
 
+#include "reports/text/labels.hpp"
 #include "reports/words/answer.hpp"
+#include "studies/comparison/decisions.hpp"
 #include "tests/unit/reports/small_study.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -91,6 +94,33 @@ TEST(AnswerSvg, LeavesOutErrorsThatAreInfinite) {
     std::ranges::for_each(results.findings.cells, make_infinite);
     const std::string svg = answer_svg(*publication_picture(results));
     EXPECT_THAT(svg, Not(testing::ContainsRegex("nan|inf[^i]")));
+}
+
+TEST(DecisionsSvg, NamesTheMethodsOfTheTableForEachTime) {
+    studies::StudyResults results = test::small_results();
+    std::erase_if(results.contests, [](const auto& each) { return each.equal != studies::Equal::evaluations; });
+    const std::string without_times = decisions_svg(results).value();
+    EXPECT_THAT(without_times, HasSubstr("There is no round processor time"));
+    for (studies::Contest& contest : results.contests) {
+        contest.equal = studies::Equal::processor_time;
+        contest.budget = 0.01;
+    }
+    const std::string svg = decisions_svg(results).value();
+    const auto times = studies::decide_by_time(results.findings.plan, results.contests);
+    ASSERT_EQ(times.size(), 1u);
+    EXPECT_THAT(svg, HasSubstr(">in 0.01 s<"));
+    std::ptrdiff_t decided = 0;
+    for (const studies::Decision& decision : times[0].decisions) {
+        EXPECT_THAT(svg, HasSubstr(fmt::format(">{}<", kind_in_words(decision.kind))));
+        const auto best = studies::most_often_best(decision);
+        decided += best.empty() ? 0 : 1;
+        if (best.size() == 1) {
+            EXPECT_THAT(svg, HasSubstr(fmt::format(">{}<", results.findings.plan.spec.methods[best[0]].name)));
+        }
+    }
+    EXPECT_GT(decided, 0);
+    EXPECT_EQ(count_of("fill-opacity", svg), decided);
+    EXPECT_FALSE(decisions_svg(test::published_results())) << "one scene";
 }
 
 }  // namespace
