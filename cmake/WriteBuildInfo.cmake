@@ -1,6 +1,11 @@
 # Run at build time by FfBuildInfo.cmake: fills build_info.hpp.in.
 
-set(REVISION unknown)  # no git, or not a checkout: a release archive
+# In an archive made by git, revision.txt names the commit instead of asking for it.
+file(READ ${CMAKE_CURRENT_LIST_DIR}/revision.txt archived)
+set(REVISION unknown)
+if(archived MATCHES "^[0-9a-f]+")
+  string(SUBSTRING ${archived} 0 12 REVISION)
+endif()
 find_program(GIT git)
 if(GIT AND EXISTS ${SOURCE_DIR}/.git)
   execute_process(COMMAND ${GIT} -C ${SOURCE_DIR} describe --always --dirty --exclude=* --abbrev=12

@@ -1,6 +1,10 @@
 import os
+import signal
 
 import pytest
+
+# Python leaves Ctrl-C ignored in processes that a shell runs in the background, and tests press it.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(autouse=True)
