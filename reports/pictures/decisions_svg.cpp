@@ -29,7 +29,7 @@ std::string cell_svg(const studies::Decision* decision, const std::vector<Method
         for (const std::size_t method : studies::most_often_best(*decision)) best.push_back(&styles[method]);
     }
     if (best.empty()) return svg_text(x + 12, y + cell_height / 2, R"( fill="#595959")", "–");
-    std::ranges::stable_partition(best, [](const MethodStyle* style) { return style->in_colour; });
+    std::stable_partition(best.begin(), best.end(), [](const MethodStyle* style) { return style->in_colour; });
     std::vector<std::string> lines{best[0]->method};
     if (best.size() == 2) lines.push_back(best[1]->method);
     if (best.size() > 2) lines.push_back(fmt::format("and {} more", best.size() - 1));

@@ -98,8 +98,11 @@ std::vector<double> budgets(const std::vector<Contender>& all, const std::vector
     budgets.push_back(for_all);
     if (equal == Equal::processor_time) {
         const auto [least, most] = std::ranges::minmax(budgets);
-        for (double time = round_time_from(least); time <= most; time = round_time_from(time * 1.1))
+        double time = round_time_from(least);
+        while (time <= most) {
             budgets.push_back(time);
+            time = round_time_from(time * 1.1);
+        }
     }
     std::ranges::sort(budgets);
     budgets.erase(std::unique(budgets.begin(), budgets.end()), budgets.end());
